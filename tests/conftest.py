@@ -1,6 +1,6 @@
 """Which tests are sweeps, that `make quick` leaves out: hostile and random scenes; of the tests with a problem file
 those of all but one file in a chapter; of the other tests of rooms and commands with several cases all but the first
-case; what takes a third of a second is marked where it stands. Each process has one thread: those of small matrices
+case; what takes a fifth of a second is marked where it stands. Each process has one thread: those of small matrices
 wait for one another where several processes share the cores; and it seldom looks for garbage, among what was
 collected never, nor while it is, as fifteen thousand tests and what they import are looked through each time; nor at
 the end, in all that is kept. Every other process begins to collect at the end, where it is all that is collected: what

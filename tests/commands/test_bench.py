@@ -80,6 +80,7 @@ def test_an_interrupt_keeps_the_parts_that_are_done(monkeypatch):
     assert "vibcli.bench.startup" not in done.stdout
 
 
+@pytest.mark.sweep
 def test_whole_processes_are_measured_by_turns():
     found = costs({"one": (python("pass"), (0,)), "two": (python("raise SystemExit(3)"), (3,))}, 1)
     assert all(cost.time > 0 and cost.memory > 1 and cost.elapsed > 0 for cost in found.values())
@@ -148,6 +149,7 @@ def test_peers_that_are_not_installed_are_rows_that_say_so(monkeypatch):
     assert [row.kept for row in peers.rows(3)] == [True, False, True, True, True, True]
 
 
+@pytest.mark.sweep
 def test_what_the_benchmark_checks_is_no_result_that_was_kept(tmp_path, monkeypatch):
     monkeypatch.delenv("VIBCLI_NO_CACHE", raising=False)
     fresh = reload(processes)

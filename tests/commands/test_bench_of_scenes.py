@@ -138,6 +138,7 @@ answers:
 """
 
 
+@pytest.mark.sweep
 def test_a_parameter_that_is_chosen_is_compared_and_what_is_made_of_it_is_not(tmp_path, capsys):
     path = tmp_path / "chosen.yaml"
     path.write_text(CHOSEN, encoding="utf-8")

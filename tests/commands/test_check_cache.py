@@ -46,6 +46,7 @@ def checked(capfd, *more):
         int(last.split(" of ")[-2].split()[-1]) if kept else 0)
 
 
+@pytest.mark.sweep
 def test_the_second_time_says_the_same(folder, capfd):
     first, kept = checked(capfd)
     again, taken = checked(capfd)
@@ -56,6 +57,7 @@ def test_the_second_time_says_the_same(folder, capfd):
     assert (folder / ".vibcli_cache" / ".gitignore").read_text() == "*\n"
 
 
+@pytest.mark.sweep
 def test_forms_are_the_same_from_the_cache(folder, capfd):
     found = []
     for _ in range(2):
@@ -65,6 +67,7 @@ def test_forms_are_the_same_from_the_cache(folder, capfd):
     assert found[:4] == found[4:]
 
 
+@pytest.mark.sweep
 def test_what_changes_is_checked_anew(folder, capfd, monkeypatch):
     checked(capfd)
     (folder / "sets" / "a.yaml").write_text(SCENE.replace("MASS", "3"))
@@ -77,6 +80,7 @@ def test_what_changes_is_checked_anew(folder, capfd, monkeypatch):
     assert checked(capfd)[1] == 0
 
 
+@pytest.mark.sweep
 def test_another_version_of_a_package_is_checked_anew(folder, capfd, monkeypatch):
     checked(capfd)
     (folder / "packages" / "PyYAML-999.0.dist-info").mkdir(parents=True)
@@ -106,6 +110,7 @@ def test_reading_it_imports_little(folder):
     assert out.splitlines()[-1] == "[]"
 
 
+@pytest.mark.sweep
 def test_a_record_that_comes_later_is_seen(folder, capfd):
     (folder / "sets" / "push.csv").unlink()
     (before, *_), _ = checked(capfd)
@@ -116,6 +121,7 @@ def test_a_record_that_comes_later_is_seen(folder, capfd):
     assert kept == 4 and "✓ omega[1]" in capfd.readouterr().out
 
 
+@pytest.mark.sweep
 def test_a_damaged_entry_is_checked_anew_in_silence(folder, capfd):
     first, _ = checked(capfd)
     entries = sorted((folder / ".vibcli_cache").glob("*.json"))
@@ -173,6 +179,7 @@ def test_a_cache_that_cannot_be_used_is_said_and_left(folder, capfd, make, said)
     assert code == 3 and kept == 0 and "cannot keep results" in err and said in err
 
 
+@pytest.mark.sweep
 def test_few_files_that_may_be_opened_are_enough(folder, capfd):
     run(["check", "sets"])      # all is imported
     with files_left(2):
@@ -196,6 +203,7 @@ def test_jobs_that_cannot_be_begun_are_refused(folder, capfd):
     assert "no process can be begun: Too many open files; leave --jobs out" in capfd.readouterr().err
 
 
+@pytest.mark.sweep
 def test_a_folder_of_others_is_no_cache(folder, capfd):
     """What makes it one would have git ignore all that lies in it."""
     before = {path.name for path in folder.iterdir()}
@@ -236,6 +244,7 @@ def test_the_folder_beside_the_first_path(tmp_path):
     assert found == [Path(place) / ".vibcli_cache" for place in ("a", "a/b", ".", "..", ".", "..", "/")]
 
 
+@pytest.mark.sweep
 def test_last_times_are_known(folder, capfd):
     start = time.process_time()
     checked(capfd)

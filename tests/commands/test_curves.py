@@ -40,6 +40,7 @@ def call(tmp_path, capsys):
     return called
 
 
+@pytest.mark.sweep
 def test_a_chosen_scene_is_plotted_until_the_end_given(call):
     code, out, _ = call("response", "tuned_absorber", "--until", "1", "--plot")
     assert code == 0 and "0 ≤ t ≤ 1 s" in out and "x₁, x₂ [mm]" in out

@@ -42,6 +42,7 @@ def files(folder):
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
+@pytest.mark.sweep
 def test_packages_keys_and_marks(course, capsys):
     """Each system gives the right answers of the manifest its points, and so does `grade`."""
     assert exported(*ALL, "--pool", "4") == 0
@@ -88,6 +89,7 @@ def test_the_same_bytes_again_more_variants_beside_and_from_the_manifest(course)
     assert files(course / "out") == files(course / "third")
 
 
+@pytest.mark.sweep
 def test_what_no_system_compares_is_marked_by_hand(course, capsys):
     (course / "letters.yaml").write_text(LETTERS, encoding="utf-8")
     assert exported(*ALL, "--pool", "2", file="letters.yaml") == 0

@@ -51,6 +51,7 @@ def files(folder):
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
+@pytest.mark.sweep
 def test_sheets_keys_and_marks(course, capsys):
     assert homework() == 0
     out = course / "out"
@@ -152,6 +153,7 @@ def test_a_case_with_variants_of_its_own(course, capsys):
     assert files(course / "out") == files(course / "again")
 
 
+@pytest.mark.sweep
 def test_numbered_sheets(course):
     assert run(["homework", "block.yaml", "-o", "out", "--paper", "12", "--salt-file", "salt"]) == 0
     assert sorted(path.name for path in (course / "out" / "student").iterdir())[0] == "01.html"
@@ -221,6 +223,7 @@ def test_what_breaks_off_in_the_middle_leaves_the_folder_as_it_was(course, monke
     assert files(course / "out") == before and not list(course.glob(".out*"))
 
 
+@pytest.mark.sweep
 def test_sharing_of_problems_that_are_picked(course, capsys):
     (course / "more").mkdir()
     single = SCENE.replace("{from: 1.2 kg, to: 3.2 kg, step: 0.4 kg}", "[2 kg]").replace(", 820 N/m, 1.1 kN/m", "")
@@ -241,6 +244,7 @@ def test_manifests_that_are_none(course, capsys):
     assert run(["grade", "nowhere.json", "--student", "s1"]) == 3
 
 
+@pytest.mark.sweep
 def test_manifests_that_are_damaged(course, capsys):
     """With any part of it taken out or of another kind: said, by its path, never a fault of ours."""
     assert homework() == 0
@@ -266,6 +270,7 @@ def test_manifests_that_are_damaged(course, capsys):
             assert f"damaged: {place[0]}" in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 def test_manifests_that_were_edited(course, capsys):
     """Any other value is known by the seal, and one with a seal of its own leads nowhere outside."""
     assert homework() == 0
@@ -292,6 +297,7 @@ def test_a_case_that_is_none_is_told_in_the_set(course, capsys):
     assert "set.yaml:1:31: error: block.yaml: the file has no case 'stif'" in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 def test_a_mistake_that_cannot_be_solved_hands_out_nothing(course, capsys):
     (course / "block.yaml").write_text(SCENE + "  mistakes: {pole: {bodies: {block: {mass: -m}}}}\n", encoding="utf-8")
     assert homework() == 3 and not (course / "out").exists()
@@ -299,6 +305,7 @@ def test_a_mistake_that_cannot_be_solved_hands_out_nothing(course, capsys):
     assert "block.yaml:12:20: error: the mistake 'pole' gives nothing in any variant: the mass is -1" in said
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text, said", [
     ("omega_d[1],id\n5\n", "no id"), ("id,zeta[1],zeta[1]\ns1,1,2\n", "the column 'zeta[1]' stands twice"),
     ("id,zeta[1]\ns1,1,2\n", "has 3 cells"), ("id,zeta[1]\ns1,1\ns1,2\n", "stand in line 2 already"),
@@ -332,6 +339,7 @@ def test_hostile_answers(course, capsys):
     assert "zeta[1] is answered twice" in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 def test_a_table_is_read_whole_or_not_at_all(course, capsys, monkeypatch):
     assert homework() == 0
     monkeypatch.setattr("vibcli.homework.tables.MAX_BYTES", 20)
@@ -359,6 +367,7 @@ def test_paper(course):
         assert leak("\n".join(page.extract_text() for page in key.pages), [found["keys"][0]["value"]], []) is not None
 
 
+@pytest.mark.sweep
 def test_marks_as_json(course, capsys):
     assert homework() == 0
     capsys.readouterr()

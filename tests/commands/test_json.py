@@ -178,6 +178,7 @@ def test_frequency_responses(ask):
     assert stretch["peaks_counted"] and stretch["antiresonances_counted"]
 
 
+@pytest.mark.sweep
 def test_frequency_responses_that_are_not_counted(ask):
     creeping, = ask(CREEPING, "frf", "--of", "arm.u(L)")["frequency_response"]
     assert creeping["peaks_counted"] and not creeping["antiresonances_counted"]
@@ -202,6 +203,7 @@ def test_keys(ask, command, text):
     well_formed(ask(text, command), command)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", [path for path in PROBLEMS[::3] if path.stem not in PRESCRIBED],
                          ids=lambda path: path.stem)
 def test_every_problem_is_well_formed(ask, path, monkeypatch):

@@ -147,6 +147,7 @@ def test_pages_are_narrow_and_whole(pages):
     assert len(pages) >= 250
 
 
+@pytest.mark.sweep
 def test_every_word_has_a_page(pages):
     catalogue = Catalogue()
     expected = [*SECTIONS, *catalogue.elements, *UNITS, *FUNCTIONS, *FAMILIES, *FIND, *topics.TOPICS]

@@ -224,6 +224,7 @@ def test_several_curves_are_named_in_a_legend_and_beside():
     assert len(set(samples)) == 2
 
 
+@pytest.mark.sweep
 def test_a_dot_is_a_dot_in_the_legend():
     """One curve of a single point, one of two, one with a lone point beside others."""
     curves = (Curve("dot", (1.0,), (2.0,)), Curve("line", (1.0, 2.0), (3.0, 1.0)),
@@ -261,6 +262,7 @@ def run(code):
     return json.loads(done.stdout)
 
 
+@pytest.mark.sweep
 def test_a_plot_in_the_terminal_needs_nothing_heavy():
     names = run("import json, sys\nfrom support import plots\nfrom vibcli.plots.braille import braille\n"
                 "[braille(f) for f in plots.FIGURES.values()]\nprint(json.dumps(sorted(sys.modules)))")
@@ -288,6 +290,7 @@ def test_the_same_bytes_in_two_processes_and_again():
     assert run(ELSEWHERE) == digests(PICTURES)
 
 
+@pytest.mark.sweep
 def test_nothing_global_is_left_changed():
     import matplotlib
 
@@ -347,6 +350,7 @@ def test_nothing_is_cut_off_and_no_numbers_overlap(name, inches):
         assert numbers(axes.xaxis) or not axes.xaxis.label.get_text()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["argand", "round", "nyquist"])
 def test_names_of_points_are_written(name):
     written = [artist.get_text() for artist, _ in texts(name)[1]]
@@ -354,6 +358,7 @@ def test_names_of_points_are_written(name):
     assert wanted and all(written.count(text) >= wanted.count(text) for text in wanted)
 
 
+@pytest.mark.sweep
 @pytest.mark.filterwarnings("ignore:Glyph")
 def test_hostile_text_is_shown_as_it_is():
     _, found = texts("hostile")
@@ -374,6 +379,7 @@ def test_files_name_no_date_and_no_maker(kind, start):
         ET.fromstring(data)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["frf", "hostile"])
 def test_an_svg_has_the_title_of_its_figure(name):
     title = FIGURES[name].title
@@ -429,6 +435,7 @@ def test_too_many_panels_are_refused():
     assert "no values" in braille(FIGURES["empty"])
 
 
+@pytest.mark.sweep
 def test_a_curve_without_points_takes_no_room():
     from vibcli.plots.layout import drawn
 

@@ -105,6 +105,7 @@ def test_where_few_files_may_be_opened_there_are_fewer():
         assert 1 <= len(pool._processes) <= 3
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_they_end_with_the_process_that_began_them(start):
     """Though that is killed: those at work and those that have nothing to do; they have its stdout, which ends so."""

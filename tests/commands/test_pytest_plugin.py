@@ -64,6 +64,7 @@ def test_without_the_setting_nothing_is_collected(pytester):
     ran(pytester).assert_outcomes()
 
 
+@pytest.mark.sweep
 def test_pytest_of_others_imports_nothing_of_it(pytester):
     code = ("import sys, vibcli.cli.pytest_plugin; "
             "print(sorted(name for name in sys.modules if name.partition('.')[0] in ('vibcli', 'click', 'yaml')))")

@@ -37,6 +37,7 @@ def test_every_command_is_in_the_map():
     assert not missing
 
 
+@pytest.mark.sweep
 def test_words_shown_are_explained(capsys):
     for word in re.findall(r"`vibcli explain (\w+)`", README):
         assert run(["explain", word]) == 0

@@ -124,8 +124,10 @@ def assert_latex(text):
             assert opened[-1] in ("align*", "aligned", "longtable", "tabular")
         elif word == "^":
             assert dollars % 2 or opened[-1] == "align*" or body[:token.start()].endswith(("{", "{}", "}", ")"))
+        elif word == "~":
+            assert re.search(r"\d~[\w\\]", body[token.start() - 1:token.end() + 1])      # before a unit
         else:
-            assert word not in "%#~"
+            assert word not in "%#"
             depth += (word == "{") - (word == "}")
         assert depth >= 0
     assert depth == 0 and not opened and dollars % 2 == 0
@@ -266,6 +268,7 @@ def test_words_in_typst(text, expected):
     assert render_typst.escaped(text) == expected
 
 
+@pytest.mark.sweep
 def test_no_formula_leaves_the_pages_of_typst(tmp_path):
     """Many lines, each wider than a page, stand on as many pages as they need."""
     pypdf = pytest.importorskip("pypdf")
@@ -276,6 +279,7 @@ def test_no_formula_leaves_the_pages_of_typst(tmp_path):
     assert all(page.extract_text().count("line") <= 60 for page in pages)
 
 
+@pytest.mark.sweep
 def test_no_formula_leaves_the_pages_of_latex(tmp_path):
     """Nor a table, nor a formula in running text, be they without a place to break them."""
     if not which("pdflatex"):
@@ -305,6 +309,7 @@ def test_tables_in_typst(cells, expected, tmp_path):
     compiled(text, tmp_path)
 
 
+@pytest.mark.sweep
 def test_short_tables_in_typst_stay_on_a_page_and_long_ones_go_on(tmp_path):
     pypdf = pytest.importorskip("pypdf")
     blocks = tuple(Cells(("word", "number"), tuple((f"t{i}", str(j)) for j in range(9))) for i in range(9))
@@ -345,6 +350,7 @@ def test_typst_compiles(path, options, tmp_path, capsys):
     assert compiled(out, tmp_path).startswith(b"%PDF")
 
 
+@pytest.mark.sweep
 def test_typst_compiles_with_pictures(scene, tmp_path):
     assert run(["solve", scene, "--pictures", "-o", "r.typ"]) == 0
     text = Path("r.typ").read_text()
@@ -502,6 +508,7 @@ def test_words_stand_outside_of_formulas_in_running_text():
     assert r"$\varphi$ [rad\textbar{}\$]" in render_latex.render([found], None)
 
 
+@pytest.mark.sweep
 def test_matplotlib_reads_the_formulas(nodes):
     from matplotlib.mathtext import MathTextParser
 

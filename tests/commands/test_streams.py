@@ -117,6 +117,7 @@ def test_a_process_leaves_without_a_trace(redirection, code, words):
     assert done.returncode == code and done.stderr.count("\n") == bool(words) and words in done.stderr
 
 
+@pytest.mark.sweep
 def test_a_pipe_that_does_not_block_is_waited_for():
     """As one is that is shared with a program that made it so: all arrives, however slowly it is read."""
     reader, writer = os.pipe()

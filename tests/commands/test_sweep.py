@@ -42,6 +42,7 @@ def out_of(capsys, *args, code=0):
     return capsys.readouterr()
 
 
+@pytest.mark.sweep
 def test_a_table_tells_where_branches_veer(scene, capsys):
     out = out_of(capsys, scene, "--over", "k1=50 N/m .. 150", "--of", "omega[1]", "--of", "zeta[1]",
                  "--points", "5").out
@@ -55,6 +56,7 @@ def test_expressions_of_quantities_are_told_as_in_print(scene, capsys):
     assert "2·k₁·ω₁² [" in out and "omega" not in out
 
 
+@pytest.mark.sweep
 def test_branches_that_cross_have_a_column(scene, capsys):
     out = out_of(capsys, scene, "--set", "kc=0", "--over", "k1=50 .. 170", "--of", "omega[1]", "--points", "4").out
     assert "cross at k₁ = 100 N/m" in out
@@ -65,6 +67,7 @@ def test_natural_frequencies_unless_asked(scene, capsys):
     assert "ω₁ [rad/s]  ω₂ [rad/s]" in out_of(capsys, scene, "--over", "m=500 g .. 2 kg", "--points", "3").out
 
 
+@pytest.mark.sweep
 def test_its_data(scene, capsys):
     found = json.loads(out_of(capsys, scene, "--over", "k1=0.05 N/mm .. 150 N/m", "--of", "omega[2]", "--points", "3",
                               "--json").out)["sweep"]
@@ -81,6 +84,7 @@ def test_values_without_answer_are_gaps(scene, capsys):
     assert [line.split()[1] for line in out.splitlines() if line.split()[:1] in (["-10"], ["-5"])] == ["–", "–"]
 
 
+@pytest.mark.sweep
 def test_it_is_plotted_and_saved(scene, capsys, tmp_path, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     target, picture = tmp_path / "k.csv", tmp_path / "k.svg"
@@ -96,6 +100,7 @@ def test_it_is_plotted_and_saved(scene, capsys, tmp_path, monkeypatch):
     assert run(["sweep", scene, "--over", "k1=1 .. 2", "--save", str(target)]) == 2
 
 
+@pytest.mark.sweep
 def test_an_interrupt_keeps_the_values_that_were_found(scene, capsys, tmp_path, monkeypatch):
     from vibcli.quantities import sweep
 
@@ -161,6 +166,7 @@ def test_values_that_grow_by_one_ratio_are_plotted_by_decades(log):
     assert [(panel.x_log, panel.y_log) for panel in sweep_figure(found).panels] == [(log, False), (log, log)]
 
 
+@pytest.mark.sweep
 def test_two_parameters_are_a_grid_with_contours(scene, capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     out = out_of(capsys, scene, "--over", "k1=50 .. 150", "--over", "k2=50 .. 100", "--of", "omega[1]", "--points", "9",
@@ -171,6 +177,7 @@ def test_two_parameters_are_a_grid_with_contours(scene, capsys, monkeypatch):
     assert len(found["quantities"][0]["values"]) == 9 and found["quantities"][0]["branch"] is None
 
 
+@pytest.mark.sweep
 def test_a_campbell_diagram(tmp_path, capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     path = tmp_path / "rotor.yaml"

@@ -34,6 +34,7 @@ def test_the_file_is_whole_and_one_is_told(way, tmp_path):
     assert found <= {"scene.yaml", os.path.basename(written), "out-1-curve-1.svg"}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("way", WRITING)
 def test_of_two_writers_one_is_refused(way, tmp_path, monkeypatch, capsys):
     """Another one writes the file between the look at it and the end of the work."""

@@ -24,6 +24,7 @@ def call(tmp_path, capsys):
     return called
 
 
+@pytest.mark.sweep
 def test_counts_and_tables(call):
     code, out, _ = call(SCENE + GRID, "--table", "--rejected")
     assert code == 0
@@ -43,6 +44,7 @@ def test_data(call):
     assert first["keys"][0]["value"] == pytest.approx((400 - (8 / 3)**2)**0.5, rel=1e-14)
 
 
+@pytest.mark.sweep
 def test_exit_codes(call):
     assert call(SCENE + GRID, "--at-least", "8")[0] == 0
     assert call(SCENE + GRID, "--at-least", "9")[0] == 1

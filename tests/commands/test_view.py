@@ -284,12 +284,14 @@ def test_the_file_is_followed_from_outside():
         assert interrupted(process) == (130, "interrupted")
 
 
+@pytest.mark.sweep
 def test_a_file_that_is_wrong_from_the_start_is_shown():
     with viewing(BROKEN) as (process, port):
         assert "unknown name" in until(port, lambda found: found["errors"])["errors"][0]
         assert interrupted(process) == (130, "interrupted")
 
 
+@pytest.mark.sweep
 def test_an_interrupt_while_solving():
     with viewing(SLOW) as (process, port):
         until(port, lambda found: found["work"] == "solving …")
@@ -379,6 +381,7 @@ def _titled(port, title):
     raise AssertionError(found)
 
 
+@pytest.mark.sweep
 @NEEDED
 @pytest.mark.parametrize("width", [360, 1280])
 def test_the_caret_stands_under_what_is_wrong_and_no_word_under_the_button(tmp_path, width):

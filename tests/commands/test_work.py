@@ -102,6 +102,7 @@ def test_a_motion_far_beyond_the_limit_is_given_up_early(times, early, monkeypat
     assert windows <= 60 if early else 300 <= windows <= 400
 
 
+@pytest.mark.sweep
 def test_equilibria_are_kept_and_not_called_complete(scene, capsys, monkeypatch):
     monkeypatch.setattr(all_equilibria, "MOST_WORK", 1)
     monkeypatch.setattr(all_equilibria, "LEAST", 10)
@@ -272,6 +273,7 @@ def test_each_command_stops_at_its_limit_and_goes_on_with_patience(tmp_path, mon
     assert run([name, "scene.yaml", *options, "--patience", "1000000"]) == (name == "check")
 
 
+@pytest.mark.sweep
 def test_the_largest_value_of_a_slow_resonance_is_found_soon(tmp_path, monkeypatch, capsys):
     """Of a billion seconds: x = (1 − e^{−ct/2})/c sin t but for parts of 1e-9."""
     monkeypatch.setattr(extremes, "MOST", 1500)

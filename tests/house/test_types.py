@@ -6,9 +6,6 @@ import tomllib
 from house.measure import PACKAGE
 
 STRICT = ("disallow_untyped_defs", "disallow_incomplete_defs", "disallow_any_generics", "warn_return_any")
-LENIENT = {     # rooms and parts that are not checked strictly yet: one that is finished goes out, none comes in
-    "analyses.continuous",
-    "evidence", "report"}
 
 
 def settings():
@@ -75,10 +72,10 @@ def test_the_checker_passes_over_no_module():
     assert exceptions() == []
 
 
-def test_rooms_are_checked_strictly_but_for_fewer_and_fewer():
+def test_all_rooms_are_checked_strictly():
     checker = settings()
     assert all(checker[check] for check in STRICT)
-    assert lenient(checker) == {f"vibcli.{room}.*" for room in LENIENT}
+    assert lenient(checker) == set()
 
 
 def test_a_module_that_is_not_checked_strictly_is_seen():

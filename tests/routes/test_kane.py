@@ -177,6 +177,7 @@ def test_equations_of_motion(pair):
     assert all(compared(pair))
 
 
+@pytest.mark.sweep
 def test_a_perturbed_parameter_is_detected(pair):
     """Each that matters, by a part in a billion."""
     unseen = [name for name in sorted(pair.kane.used) if all(compared(pair, name, 1e-9))]
@@ -235,6 +236,7 @@ def test_small_oscillations(pair):
     assert q[:pair.kane.free] == [pytest.approx(place[name], rel=1e-12, abs=1e-14) for name in pair.scene.coordinates]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("build", [kane.four_bar_with_springs, kane.particle_on_turning_disc,
                                    kane.column_under_follower_force], ids=lambda build: build.__name__)
 def test_a_perturbed_parameter_changes_the_small_oscillations(build):

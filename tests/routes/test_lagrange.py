@@ -177,6 +177,7 @@ def magnitudes(elements, n):
     return found
 
 
+@pytest.mark.sweep
 def test_matrices_in_floats(mechanism):
     elements, n = mechanism.problem.configuration.linear_system, len(mechanism.names)
     sizes = magnitudes(elements, n)
@@ -185,6 +186,7 @@ def test_matrices_in_floats(mechanism):
         assert all(abs(x - y) <= 1e-14 * s + 1e-300 for x, y, s in zip(found, exact, size, strict=True))
 
 
+@pytest.mark.sweep
 def test_matrices_in_many_digits(mechanism):
     elements, n = mechanism.problem.configuration.precise_system(DIGITS), len(mechanism.names)
     for found, exact in zip(flat(elements.matrices(), n), at_equilibrium(mechanism), strict=True):
@@ -210,6 +212,7 @@ def test_residual_vanishes_at_the_equilibrium(mechanism):
     assert max(abs(x) for x in mechanism.at(mechanism.force, (q, rest, rest))) <= 1e-13 * weight
 
 
+@pytest.mark.sweep
 def test_equations_in_many_digits(mechanism):
     """The same expressions evaluated in 40 digits leave no doubt about the formula."""
     scene, state = mechanism.problem.scene, states(mechanism)[0]
@@ -219,6 +222,7 @@ def test_equations_in_many_digits(mechanism):
     assert agree(found, mechanism.at(mechanism.left, state), mpmath.mpf(10) ** -34)
 
 
+@pytest.mark.sweep
 def test_kane_gives_the_same():
     """The pendulum on a cart by Kane's method, which knows neither T nor V."""
     from sympy.physics import mechanics as me

@@ -41,6 +41,7 @@ def agree(found, others, factor=1.0):
     return not left
 
 
+@pytest.mark.sweep
 @LAW
 @given(DAMPED, SPINS)
 def test_sums_and_products_of_eigenvalues(row, spins):
@@ -87,6 +88,7 @@ def energy_is_lost_to_dampers(model, end):
     assert first - last == pytest.approx(lost, rel=1e-7, abs=1e-13 * first) and lost > 0
 
 
+@pytest.mark.sweep
 @FEW
 @given(rows(most=3, damped=True), SPINS)
 def test_what_turns_takes_no_energy_and_dampers_do(row, spins):
@@ -109,6 +111,7 @@ def held(lengths, masses, stiffnesses, disc, **sections):
     return vibcli.load({**scene, "springs": springs, **sections})
 
 
+@pytest.mark.sweep
 @FEW
 @given(LENGTHS, st.tuples(SIZES, SIZES, SIZES), st.tuples(SIZES, SIZES, SIZES), SIZES)
 def test_one_more_spring_at_a_loop_interlaces_and_more_mass_slows(lengths, masses, stiffnesses, disc):

@@ -66,6 +66,7 @@ def test_one_more_bead_interlaces(tension, density, beads, more):
         assert all(a - e <= b + f for (a, e), (b, f) in zip(low, high, strict=True))
 
 
+@pytest.mark.sweep
 @FEW
 @given(SIZES, SIZES, BEADS, st.integers(-5, 5), st.integers(-5, 5))
 def test_powers_of_two_change_no_bit(tension, density, beads, heavy, tight):
@@ -74,6 +75,7 @@ def test_powers_of_two_change_no_bit(tension, density, beads, heavy, tight):
     assert [2.0 ** (tight - heavy) * omega for omega, _ in lowest(one)] == [omega for omega, _ in lowest(two)]
 
 
+@pytest.mark.sweep
 @FEW
 @given(SIZES, SIZES, BEADS)
 def test_the_other_end_first(tension, density, beads):

@@ -36,6 +36,7 @@ def test_powers_of_two_change_no_bit_in_the_plane(plate, larger):
             } == two.equilibrium
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows(), st.randoms(use_true_random=False))
 def test_bodies_and_springs_in_another_order(row, dice):
@@ -76,6 +77,7 @@ def test_a_rigid_offset_and_quarter_turns(plate, shift, quarters):
         assert abs(left.value - right.value) <= left.error + right.error + 4 * EPS
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows(), st.data())
 def test_springs_as_two_in_series_and_in_parallel(row, data):
@@ -91,6 +93,7 @@ def test_springs_as_two_in_series_and_in_parallel(row, data):
     assert same(found, rates(split.model())[:n])
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows(), st.data(), SIZES)
 def test_one_more_spring_or_mass_interlaces(row, data, size):
@@ -103,6 +106,7 @@ def test_one_more_spring_or_mass_interlaces(row, data, size):
         assert all(a - e <= b + f for (a, e), (b, f) in zip(low, high, strict=True))
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows())
 def test_traces_and_determinants(row):

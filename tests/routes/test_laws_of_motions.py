@@ -23,6 +23,7 @@ WAVES = st.sampled_from(["3 N*sin(2 rad/s*t)", "2 N*step(t - 0.2 s)", "(1 N/s)*r
                          "2 N*square(5 rad/s*t)", "(0.3 N*s)*impulse(t - 0.1 s)"])
 
 
+@pytest.mark.sweep
 @FEW
 @given(rows(most=3, damped=True), WAVES, WAVES)
 def test_superposition(row, one, two):
@@ -39,6 +40,7 @@ def test_superposition(row, one, two):
         assert bound <= 1e-9 * size
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows(damped=True), st.data(), st.integers(1, 99))
 def test_reciprocity_of_rows(row, data, tenths):
@@ -49,6 +51,7 @@ def test_reciprocity_of_rows(row, data, tenths):
     assert abs(there.value - back.value) <= there.error + back.error <= 1e-9 * abs(there.value)
 
 
+@pytest.mark.sweep
 @FEW
 @given(st.integers(1, 19), st.integers(1, 19), st.integers(1, 400), st.booleans())
 def test_reciprocity_of_members(one, two, omega, damped):
@@ -77,6 +80,7 @@ def test_energy_stays_where_nothing_damps(row, tenths):
     assert abs(sum(part.value for part in after) - total) <= bound + 4 * EPS * total and bound <= 1e-9 * total
 
 
+@pytest.mark.sweep
 @FEW
 @given(rows(most=3, damped=True))
 def test_energy_that_is_lost_is_what_dampers_take(row):
@@ -90,6 +94,7 @@ def test_energy_that_is_lost_is_what_dampers_take(row):
     assert energies[0] - energies[1] == pytest.approx(lost, rel=1e-7, abs=1e-13 * energies[0])
 
 
+@pytest.mark.sweep
 @LAW
 @given(rows(damped=True), st.integers(5, 90))
 def test_power_that_a_load_brings_in_is_what_dampers_take(row, tenths):
@@ -116,6 +121,7 @@ def reversed_back(scene, names, end, start):
             for name, one in found.items()}
 
 
+@pytest.mark.sweep
 @FEW
 @given(rows(most=3), st.integers(1, 30))
 def test_time_run_backwards(row, tenths):

@@ -16,6 +16,7 @@ def values(text, signal, times=TIMES):
     return found.values(times)
 
 
+@pytest.mark.sweep
 def test_a_gust_on_a_part_of_a_beam():
     """q (1 − x/L) on L/4 … L, from 0 to 40 ms."""
     text = """
@@ -32,6 +33,7 @@ def test_a_gust_on_a_part_of_a_beam():
     assert np.abs(found - exact).max() <= 1e-9 * np.abs(exact).max()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("damped", ["damping: {modal: 3 %}", "damping: {proportional: [0.5 s^-1, 2e-5 s]}", ""])
 def test_a_sine_that_travels_over_a_beam(damped):
     """q sin(πx/L − Ωt) on pins, beside the same by two loads that stand."""

@@ -207,6 +207,7 @@ def by_kane(build, scene, values, until, times):
     return dict(zip(names, run.y, strict=False))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("build", KANE, ids=lambda build: build.__name__)
 def test_full_motion_against_kanes_method(build):
     scene = first(build.__name__)

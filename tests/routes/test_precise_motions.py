@@ -101,6 +101,7 @@ def test_values_of_random_chains(seed):
                 assert abs(got - value) <= abs(value) * mpmath.mpf(10) ** -DIGITS, (text, t)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(20, 25))
 def test_bounds_of_random_chains_after_long_times(seed):
     """What is printed after up to ten million seconds is within its bound, whether it was found in floats or anew."""

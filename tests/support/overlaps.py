@@ -19,6 +19,7 @@ from vibcli.drawing.symbols.support import ROLLER
 ARROWS = "coordinate", "load", "driven"
 PARTS = "spring", "damper", "oil"
 TAIL, ROUND_TAIL = 7.0, 0.4     # of an arrow, which begins at what it moves: points; the part of an arc
+SPIRAL = 50         # points of a spring that is wound about a joint
 BESIDE = 0.5        # points by which boxes of words may overlap
 WITHIN = 1.5        # points inside a box by which lines may come from above and below: letters do not fill it
 CLOSE = 1.0         # points beside a box in which there are none
@@ -32,8 +33,17 @@ def touching(drawn):
     for i, word in enumerate(words):
         text = _text(word)
         found += [(text, _text(other)) for other in words[:i] if _overlap(word.box, other.box)]
-        found += [(text, line.role) for line in lines if any(_struck(word.box, stroke) for stroke in line.strokes())]
+        found += [(text, line.role) for line in lines if any(_struck(word.box, stroke) for stroke in line.strokes())
+                  and not _hidden(line, word, lines)]
     return found
+
+
+def _hidden(line, word, drawn):
+    """Is a line behind the body in which a word stands?"""
+    left, bottom, right, top = word.box
+    corners = (left, bottom), (right, bottom), (right, top), (left, top)
+    return line.layer < BODY and any(all(plane.inside(corner, list(part.points)) for corner in corners)
+                                     for part in drawn if isinstance(part, Polygon) and _is_mass(part))
 
 
 def _text(word):
@@ -92,6 +102,14 @@ def struck(drawn):
     inner = [(part.role, part.points[1:-1] if part.role == "spring" else part.strokes()[0]) for part in drawn
              if part.role == "oil" or (isinstance(part, Polyline) and part.role == "spring" and len(part.points) > 6)]
     return [role for role, path in inner if any(cross(path, line) for line in lines)]
+
+
+def begun(drawn):
+    """[role of an arc that begins among the coils of a spring] of a figure, be it between two of their strokes."""
+    coils = [[*points[1:-1:2], *points[2:-1:2][::-1]] for part in drawn if part.role == "spring"
+             for points in [part.points] if isinstance(part, Polyline) and 6 < len(points) < SPIRAL]
+    return [part.role for part in drawn if isinstance(part, Polyline) and part.layer == ARROW and part.role in ARROWS
+            and len(part.points) > 2 and any(plane.inside(part.points[0], band) for band in coils)]
 
 
 def cross(path, stroke):

@@ -67,8 +67,8 @@ def cleaned(text: str) -> str:
 
 
 def on_one_line(text: str) -> str:
-    """The same with its white space as single spaces."""
-    return re.sub(r"\s+", " ", cleaned(text))
+    """The same with its white space as single spaces, where no line is to be broken as it is."""
+    return re.sub(r"[^\S\N{NO-BREAK SPACE}]+", " ", cleaned(text))
 
 
 def too_long(file: str, size: int | None = None) -> Diagnostic:

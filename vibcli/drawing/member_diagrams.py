@@ -44,6 +44,7 @@ if TYPE_CHECKING:
 HIGH, GAP, HEAD, ORDINATES, DOT = 40.0, 18.0, 7.0, 7.0, 2.0     # points: of the largest value, between panels, …
 SMALL_SIZE, DIGITS, NOTHING = 10.0, 4, 1e-9                     # the last: of the largest value
 LINE, BASELINES = 70, 14.0      # letters in a line, points between lines
+CLOSE = 30.0        # points between two places of one value
 NAMES = {("bar", "force"): "tension", ("string", "force"): "tension", ("beam", "force"): "tension",
          ("shaft", "moment"): "torque GIo φ′", ("beam", "shear"): "shear (EI u″)′", ("beam", "moment"): "moment EI u″"}
 ALONG = {True: "positive upwards", False: "positive to the left of the way to the right end"}
@@ -169,12 +170,14 @@ def _ordinates(panel: DiagramPanel, strip: Strip, force: "InternalForce", stretc
 
 def _labels(panel: DiagramPanel, strip: Strip,
             force: "InternalForce") -> list[tuple[str, list[tuple[float, float]], str]]:
-    """[(text, places for it, role)] of the values at ends, jumps and extremes, and of where the curve crosses zero."""
-    found = []
+    """[(text, places for it, role)] of the values at ends, jumps and extremes, once where two that read alike are
+    close together, and of where the curve crosses zero."""
+    found: list[tuple[str, list[tuple[float, float]], str]] = []
     for x, value in told(force):
-        side = panel.side(strip, force, value)
+        side, words = panel.side(strip, force, value), panel.words(value, force.error(x))
         tip = strip.at(x, side)
-        outward = plane.plus(tip, plane.left(strip.e), 3.0 if side >= 0 else -3.0)
-        found.append((panel.words(value, force.error(x)), [outward, tip], "ink"))
+        if found and found[-1][0] == words and plane.distance(found[-1][1][1], tip) < CLOSE:
+            found.pop()
+        found.append((words, [plane.plus(tip, plane.left(strip.e), 3.0 if side >= 0 else -3.0), tip], "ink"))
     return found + [(f"{supported(x, error_of_zero(force, x), DIGITS, '')} m", [strip.at(x)], "note")
                     for x in zeros(force)]

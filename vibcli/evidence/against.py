@@ -50,7 +50,7 @@ def older(path: str) -> dict[str, Any]:
     if len(text) > LARGEST:
         raise ValueError(f"it is longer than {LARGEST} bytes")
     try:
-        found = json.loads(text)
+        found: dict[str, Any] = json.loads(text)
     except (ValueError, RecursionError):
         raise ValueError("it is no JSON") from None
     _rows(found)
@@ -65,7 +65,7 @@ def beside(before: Mapping[str, Any], now: Mapping[str, Any]) -> Beside:
     return Beside(rows, sorted(old.keys() ^ new.keys()), ", ".join(other))
 
 
-def _rows(data):
+def _rows(data: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
     """{name: (ratio, spread)} of all pairs of our time and another's; ValueError of data that are no comparison."""
     try:
         found = {}
@@ -81,7 +81,7 @@ def _rows(data):
         raise ValueError("it holds no comparison: `vibcli bench FILE --json` writes one") from None
 
 
-def _time(point):
+def _time(point: Mapping[str, Any]) -> tuple[float, float]:
     """(seconds, their relative spread)."""
     low, high = point["quartiles"]
     if not all(0.0 <= float(time) < math.inf for time in (low, point["seconds"], high)):

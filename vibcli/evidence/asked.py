@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
@@ -14,6 +14,7 @@ from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
+    from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
 
 PARTS = ("re", "im", "arg")
@@ -47,7 +48,8 @@ def subjects(problem: "Problem", asked: "Iterable[Expression]", or_modes: bool =
                 yield NotCompared(text, error.message)
 
 
-def _makers(problem, asked, or_modes):
+def _makers(problem: "Problem", asked: "Iterable[Expression]",
+            or_modes: bool) -> list[tuple[str, NameRef | QuantityRef | None, tuple[str, str]]]:
     """(text, tree, what makes its Subject, None where nothing does, as of what is made of parameters alone)."""
     found = [(tree.text if isinstance(tree, QuantityRef) else expression.text, tree, _maker(problem.spec, tree))
              for expression in asked for tree in expression.parts.quantities or (expression.tree,)]
@@ -56,7 +58,7 @@ def _makers(problem, asked, or_modes):
     return found + [(head, None, SUBJECTS[head]) for head in ("omega", *["eigenvalue"] * problem.modal.damps)]
 
 
-def _maker(spec, tree):
+def _maker(spec: "Spec", tree: NameRef | QuantityRef) -> tuple[str, str] | None:
     if isinstance(tree, (QuantityRef, NameRef)) and is_choice(spec, tree):
         return CHOSEN
     if not isinstance(tree, QuantityRef):
@@ -68,20 +70,20 @@ def _maker(spec, tree):
     return None if found in (NATURAL, DAMPED) and tree.args else found
 
 
-def _why_not(tree) -> str:
+def _why_not(tree: Any) -> str:
     """Why nothing else finds it."""
     quantity = declared(tree) if isinstance(tree, QuantityRef) else None
     kind = quantity.kind if quantity else None
     return COUNTED if kind == COUNT else NO_NUMBER if kind in (*OF_STATE, TRUTH) else ALONE
 
 
-def _subject(problem, tree, make):
+def _subject(problem: "Problem", tree: NameRef | QuantityRef | None, make: tuple[str, str]) -> Subject:
     if make is CHOSEN:
         from vibcli.evidence.chosen import chosen
 
         return chosen(problem, tree, _needed)
     file, name = make
-    return getattr(import_module(f"vibcli.evidence.subjects.{file}"), name)(problem, tree)
+    return cast("Subject", getattr(import_module(f"vibcli.evidence.subjects.{file}"), name)(problem, tree))
 
 
 def _needed(problem: "Problem", tree: QuantityRef) -> Subject:

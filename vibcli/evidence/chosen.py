@@ -1,8 +1,8 @@
 """Parameters that a scene chooses: what the conditions determine, the quantities in these being true ones."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import mpmath
 
@@ -18,6 +18,8 @@ from vibcli.symbolic.evaluation import evaluate, multiprecision
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
+    from vibcli.reader.sections.choose import Condition
     from vibcli.symbolic.syntax import QuantityRef
 
     Make = Callable[[Problem, QuantityRef], Subject]
@@ -46,7 +48,7 @@ def chosen(problem: Problem, tree: "NameRef | QuantityRef", subject_of: "Make") 
     known = settled(open_one).choice
     known.value(name, number)       # refused where there is none
 
-    def residual(p: list) -> Residual:
+    def residual(p: "Sequence[mpmath.mpf]") -> Residual:
         there = open_one.with_values({name: _fraction(x) for name, x in zip(choices, p, strict=True)})
         found = [pair for record in choices.values() for pair in _pairs(there, record["so"], subject_of)]
         return Residual([value for value, _ in found], [error for _, error in found])
@@ -63,7 +65,7 @@ def chosen(problem: Problem, tree: "NameRef | QuantityRef", subject_of: "Make") 
     return Subject(KIND, asked, TITLE, problem, true._replace(values=[p]), ours, None, error)
 
 
-def _unsettled(problem):
+def _unsettled(problem: Problem) -> Problem:
     """The scene in which they are to be chosen."""
     spec = problem.spec
     parameters = {name: record.with_values({key: x for key, x in record.items() if key != "value"})
@@ -72,12 +74,13 @@ def _unsettled(problem):
     return Problem(spec.with_parameters(parameters), given, problem.work)
 
 
-def _fraction(x):
+def _fraction(x: mpmath.mpf) -> Fraction:
     sign, man, exponent, _ = x._mpf_
-    return Fraction(-man if sign else man) * Fraction(2) ** exponent
+    return cast("Fraction", Fraction(-man if sign else man) * Fraction(2) ** exponent)
 
 
-def _pairs(problem, condition, subject_of):
+def _pairs(problem: Problem, condition: "Condition",
+           subject_of: "Callable[[Problem, QuantityRef], Subject]") -> list[tuple[mpmath.mpf, mpmath.mpf]]:
     """[(L − R, to what it is known)] of a condition."""
     if condition.is_balance:
         numbers = multiprecision()
@@ -91,7 +94,7 @@ def _pairs(problem, condition, subject_of):
     return [(left - right, its + others)]
 
 
-def _stiffness(problem):
+def _stiffness(problem: Problem) -> tuple[mpmath.mpf, mpmath.mpf]:
     """(det K of what rests as it is drawn, to what it is known)."""
     elements = problem.configuration.linear_system
     if elements.G or elements.circulatory or elements.pieces or not problem.configuration.equilibrium.drawn:
@@ -101,7 +104,8 @@ def _stiffness(problem):
     return mpmath.det(K), mpmath.mpf(10) ** -SURE * mpmath.norm(K) ** K.rows
 
 
-def _side(problem, expression, subject_of):
+def _side(problem: Problem, expression: "Expression",
+          subject_of: "Callable[[Problem, QuantityRef], Subject]") -> tuple[mpmath.mpf, mpmath.mpf]:
     """(a side of an equation, to what it is known)."""
     numbers, node = multiprecision(), lowered_in(problem.scene, expression)
     found = {tree.text: _true(problem, tree, subject_of) for tree in expression.parts.quantities}
@@ -111,7 +115,8 @@ def _side(problem, expression, subject_of):
     return value, mpmath.fsum(map(abs, moved))
 
 
-def _true(problem, tree, subject_of):
+def _true(problem: Problem, tree: "QuantityRef",
+          subject_of: "Callable[[Problem, QuantityRef], Subject]") -> tuple[mpmath.mpf, mpmath.mpf]:
     """(the true value of a quantity, to what it is known)."""
     subject = subject_of(problem, tree)
     true, value = subject.true, subject.true.values[0]

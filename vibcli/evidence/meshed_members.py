@@ -4,8 +4,9 @@ in order to calculate responses at a frequency, and the motion of all of it unde
     (K + s C + s² M) q = f,     M q̈ + C q̇ + K q = Σ v Re tᵖ e^{λt}
 """
 
+from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import mpmath
 import numpy as np
@@ -34,7 +35,7 @@ SAME = 1e-9             # of the largest: what jumps by less does not
 class MeshedMembers:
     """A system in floats each of whose pieces is so many elements."""
 
-    def __init__(self, elements: "FactoredSystem", divisions: int):
+    def __init__(self, elements: "FactoredSystem", divisions: int) -> None:
         self.elements, self.divisions = elements, divisions
         self.size, self.nodes = element_nodes(elements, divisions)
 
@@ -70,18 +71,18 @@ class MeshedMembers:
         piece, at = self.elements.pieces[place.piece].piece, place.share * self.divisions
         i = min(int(at), self.divisions - 1)
         values = shapes(piece.order, piece.length / self.divisions, np.array([at - i]))
-        return place.factor * self._spread(place.piece, i, values[place.order][:, 0])
+        return cast("np.ndarray", place.factor * self._spread(place.piece, i, values[place.order][:, 0]))
 
-    def load(self, piece: int, along: "Callable[[np.ndarray], np.ndarray]") -> np.ndarray:
+    def load(self, piece: int, along: "Callable[[np.ndarray], np.ndarray]") -> Any:
         """What a load along a piece does: ∫ N p dx."""
         one = self.elements.pieces[piece].piece
         length = one.length / self.divisions
         N = shapes(one.order, length, AT)[0] * WEIGHTS * length
         return sum(self._spread(piece, i, N @ along((i + AT) * length)) for i in range(self.divisions))
 
-    def _spread(self, piece, i, shares):
+    def _spread(self, piece: int, i: int, shares: np.ndarray) -> np.ndarray:
         rows = *self.nodes[piece][i], *self.nodes[piece][i + 1]
-        return sum(x * self.row(row) for x, row in zip(shares, rows, strict=True))
+        return cast("np.ndarray", sum(x * self.row(row) for x, row in zip(shares, rows, strict=True)))
 
 
 class MeshAtFrequency(NamedTuple):
@@ -97,7 +98,7 @@ class MeshAtFrequency(NamedTuple):
 
     def pushed(self, s: complex) -> np.ndarray:
         """f at a rate s."""
-        return s ** np.arange(3) @ self.loads
+        return cast("np.ndarray", s ** np.arange(3) @ self.loads)
 
     def signal(self, s: complex, q: np.ndarray) -> complex:
         """That of these coordinates."""
@@ -150,7 +151,7 @@ class MeshInMotion(NamedTuple):
     C: np.ndarray
     K: np.ndarray
     start: tuple[np.ndarray, np.ndarray]
-    loads: list[tuple[float, dict]]
+    loads: list[tuple[float, dict[Any, Any]]]
     rows: np.ndarray
     own: list[tuple[float, ExponentialPolynomial]]
     held: float
@@ -197,7 +198,7 @@ def in_motion(members: "StartedMembers", divisions: int) -> MeshInMotion | None:
     return MeshInMotion(M, C, K, start, loads, rows[:, free], own, float(held))
 
 
-def _changes(members: "StartedMembers"):
+def _changes(members: "StartedMembers") -> Iterator[tuple[int, float, ExponentialPolynomial]]:
     """(input, instant, by what it changes from there on)"""
     for i, parts in members.inputs.items():
         before = NOTHING
@@ -206,7 +207,7 @@ def _changes(members: "StartedMembers"):
             before = part.function
 
 
-def _is_smooth(change, parts: "Sequence[Any]"):
+def _is_smooth(change: ExponentialPolynomial, parts: "Sequence[Any]") -> bool:
     """Does neither it nor its rate jump?"""
     for function, others in ((change, [part.function for part in parts]),
                              (change.rate(), [part.function.rate() for part in parts])):
@@ -216,16 +217,16 @@ def _is_smooth(change, parts: "Sequence[Any]"):
     return True
 
 
-def _summed(pairs):
+def _summed(pairs: Iterator[Any]) -> dict[tuple[complex, int], np.ndarray]:
     """{(λ, p): v} of functions times vectors."""
-    found: dict[tuple, np.ndarray] = {}
+    found: dict[tuple[Any, ...], np.ndarray] = {}
     for function, vector in pairs:
         for key, c in function.terms.items():
             found[key] = found.get(key, 0) + c * vector
     return found
 
 
-def _start(members, mesh):
+def _start(members: "StartedMembers", mesh: MeshedMembers) -> np.ndarray:
     """(q, q̇) of all nodes."""
     both = np.zeros((2, mesh.size))
     n = len(members.start[0])

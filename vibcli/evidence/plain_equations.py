@@ -66,7 +66,8 @@ def plain_equations(motion: "Motion", node: "Node", until: float, feature: str) 
     return PlainEquations(rates, start, times, read, linear)
 
 
-def _known(motion, times, states, rates):
+def _known(motion: "Motion", times: np.ndarray, states: np.ndarray,
+           rates: Callable[..., np.ndarray] | None) -> dict[str, float | np.ndarray]:
     """{name: array} of all that a signal is made of; q̈ where `rates` gives it."""
     n = len(motion.scene.q)
     known: dict[str, Any] = {**motion.floats, motion.scene.time.name: times}
@@ -92,7 +93,7 @@ def extreme(times: np.ndarray, values: np.ndarray, feature: str) -> float:
     return place if feature.startswith("arg") else top
 
 
-def _zero(times, values, number):
+def _zero(times: np.ndarray, values: np.ndarray, number: int) -> float:
     """The instant of a zero of what passes through the samples about it."""
     at = [] if values[0] else [0]
     at += (np.flatnonzero(values[1:-1] * values[2:] <= 0) + 1).tolist() if values[0] == 0 else np.flatnonzero(
@@ -105,7 +106,7 @@ def _zero(times, values, number):
     return next(iter(_real_roots(_between(times, values, i), times[i:i + 2])), float(times[i]))
 
 
-def _between(times, values, i):
+def _between(times: np.ndarray, values: np.ndarray, i: int) -> Any:
     """The polynomial between a sample and the next one: of the STENCILs of samples that hold both the smoothest, as
     no load may jump within it."""
     firsts = range(max(i + 2 - STENCIL, 0), max(min(i, len(times) - STENCIL), 0) + 1)
@@ -115,14 +116,14 @@ def _between(times, values, i):
     return np.polynomial.Polynomial.fit(times[which], values[which], min(STENCIL, len(times)) - 1)
 
 
-def _real_roots(curve, ends):
+def _real_roots(curve: Any, ends: np.ndarray) -> list[float]:
     """Those between two instants, ascending."""
     roots = curve.roots()
     return sorted(float(x.real) for x in roots if abs(x.imag) <= 1e-9 * abs(ends[1] - ends[0])
                   and ends[0] <= x.real <= ends[1])
 
 
-def _rates(motion: "Motion"):
+def _rates(motion: "Motion") -> Callable[[float, Sequence[float]], np.ndarray]:
     """ẏ of y."""
     scene, parts, n = motion.scene, motion.parts, len(motion.scene.q)
     keys = list(parts.M)
@@ -140,12 +141,12 @@ def _rates(motion: "Motion"):
     return rates
 
 
-def _compiled(nodes: "Sequence[Node]", floats: Mapping[str, float], scene: Any) -> Callable[[float, Any], list]:
+def _compiled(nodes: "Sequence[Node]", floats: Mapping[str, float], scene: Any) -> Callable[[float, Any], list[float]]:
     """The nodes as a function of t and y."""
     function, known = in_floats(nodes, evaluable(nodes)), dict(floats)
     names, time = [*scene.coordinates, *(name + "'" for name in scene.coordinates)], scene.time.name
 
-    def values(t: float, y: Any) -> list:
+    def values(t: float, y: Any) -> "list[float]":
         known.update(zip(names, map(float, y), strict=True))
         known[time] = float(t)
         return function(known, None)
@@ -153,7 +154,7 @@ def _compiled(nodes: "Sequence[Node]", floats: Mapping[str, float], scene: Any) 
     return values
 
 
-def _linear(motion: "Motion"):
+def _linear(motion: "Motion") -> LinearEquations:
     """(q̇, M⁻¹(Q(t) − C q̇ − K q)), u = −Q."""
     scene, n = motion.scene, len(motion.scene.q)
     M, C, K = (np.array([[motion.floats[f"{part}[{i};{j}]"] for j in range(n)] for i in range(n)]) for part in "MCK")
@@ -169,13 +170,13 @@ def _linear(motion: "Motion"):
     return LinearEquations(A, np.concatenate([np.zeros((n, n)), -inverse]), inputs, instants)
 
 
-def _drive(motion):
+def _drive(motion: "Motion") -> "list[Node]":
     """What is left of the equations at rest."""
     scene = motion.scene
     return substitute(motion.parts.h, dict.fromkeys((*scene.q, *scene.v), scene.table.zero))
 
 
-def _linear_rates(motion: "Motion", linear: LinearEquations):
+def _linear_rates(motion: "Motion", linear: LinearEquations) -> Callable[..., Any]:
     """A y + B u(t)"""
     A, B, drive = linear.A, linear.B, _drive(motion)
     if all(node.is_zero for node in drive):

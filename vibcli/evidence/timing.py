@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from statistics import quantiles
 from time import process_time
+from typing import Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
@@ -24,7 +25,7 @@ class Point(NamedTuple):
 
     method: str
     setting: str
-    seconds: tuple[float, float, float]
+    seconds: tuple[float, ...]
     runs: int
     error: float | None
     bound: float | None
@@ -35,7 +36,8 @@ def measured(subject: Subject, attempts: Sequence[MethodRun], runs: int = RUNS,
              patience: float = math.inf) -> list[Point]:
     """A Point of each attempt, the first of which is ours. After one that was stopped the later ones of its method are
     left out: their settings take longer; so are those for which no time is left, of `patience` s for all runs."""
-    tried, over, last, left = [], set(), {}, patience / 2
+    tried: list[Any] = []
+    over, last, left = set(), {}, patience / 2
     for attempt in _in_turns(attempts):
         method = attempt.method
         if method in over:
@@ -66,7 +68,7 @@ def measured_in_shares(asked: Iterable[tuple[Subject, Sequence[MethodRun]]], run
         whole -= process_time() - start
 
 
-def _in_turns(attempts):
+def _in_turns(attempts: Sequence[MethodRun]) -> list[MethodRun]:
     """The first settings of all methods, their second ones …: no method takes the time of the others."""
     ranks, turns = Counter(), []
     for attempt in attempts:
@@ -75,7 +77,7 @@ def _in_turns(attempts):
     return [attempt for _, attempt in sorted(turns, key=lambda turn: turn[0])]
 
 
-def _tried(attempt, allowed):
+def _tried(attempt: MethodRun, allowed: float) -> tuple[MethodRun, float, MethodAnswer | None, str]:
     """(attempt, seconds, MethodAnswer or None, why there is none) of the warm-up."""
     found, why, start = None, "", process_time()
     try:
@@ -92,7 +94,8 @@ def reason(error: Exception) -> str:
     return error.message if isinstance(error, PhysicsError) else f"{type(error).__name__}: {error}"
 
 
-def _by_turns(tried, runs, patience):
+def _by_turns(tried: Sequence[tuple[MethodRun, float, MethodAnswer | None, str]], runs: int,
+              patience: float) -> list[list[float]]:
     """[seconds of each run] of each attempt; where all together take too long, those of the dearest are fewer."""
     counts = [0 if why else runs if spent <= SLOW else min(runs, FEW) for _, spent, _, why in tried]
     costs = [count * max(spent, LEAST) for count, (_, spent, _, _) in zip(counts, tried, strict=True)]
@@ -107,7 +110,7 @@ def _by_turns(tried, runs, patience):
     return times
 
 
-def _timed(attempt, repeats):
+def _timed(attempt: MethodRun, repeats: int) -> float:
     free = Deadline(math.inf)
     start = process_time()
     for _ in range(repeats):
@@ -115,11 +118,13 @@ def _timed(attempt, repeats):
     return (process_time() - start) / repeats
 
 
-def _point(subject, attempt, spent, found: MethodAnswer | None, why, times):
+def _point(subject: Subject, attempt: MethodRun, spent: float, found: MethodAnswer | None, why: str,
+           times: list[float]) -> Point:
     if found is None:
         return Point(attempt.method, attempt.setting, (spent,) * 3, 0, None, None, why)
     times = times or [spent]
-    quartiles = tuple(quantiles(times, n=4, method="inclusive")) if len(times) > 1 else (times[0],) * 3
+    several = len(times) > 1
+    quartiles = (*quantiles(times, n=4, method="inclusive"),) if several else (times[0],) * 3
     error = max(subject.error(found.values, subject.true), 10.0**-subject.true.digits)
     if not math.isfinite(error):
         return Point(attempt.method, attempt.setting, quartiles, len(times), None, None,

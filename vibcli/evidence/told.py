@@ -1,6 +1,6 @@
 """Evidence in words and tables, as a report that every format renders, and as data."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +10,7 @@ from vibcli.report.blocks import Document, Paragraph, Picture, Section, TableBlo
 
 if TYPE_CHECKING:
     from vibcli.evidence.compared import Evidence, WorkPrecision
+    from vibcli.evidence.reference.settled import TrueValues
     from vibcli.evidence.timing import Point
 
 MANY = 6                # settings of a method, of which not all are told in a table
@@ -33,7 +34,7 @@ def drawn_values(drawn: Mapping[str, str]) -> tuple[Section, ...]:
         f"{values}: drawn for letters that have none, the same at every run; --set gives others."),)),)
 
 
-def _section(one, pictures, number):
+def _section(one: "WorkPrecision", pictures: bool, number: int) -> Section:
     true, points = one.subject.true, one.points
     blocks: list[Any] = [
         paragraph(_reference(true)),
@@ -46,7 +47,7 @@ def _section(one, pictures, number):
     return Section(f"{one.subject.asked}: {one.subject.title}", tuple(blocks))
 
 
-def _reference(true):
+def _reference(true: "TrueValues") -> str:
     """How true values are known: alike in two precisions, or in one, as far as what is cut off does not count."""
     if true.before == true.working:
         return (f"True values: mpmath, {true.digits} digits of {true.working}; "
@@ -62,7 +63,7 @@ def markdown(one: "WorkPrecision") -> str:
     return page.split("\n## ", 1)[1].split("\n", 1)[1].strip()
 
 
-def _shown(points):
+def _shown(points: "list[Point]") -> "Iterator[Point]":
     """Those of a table: of a method with many settings every third, the last, and the one that the sentence names."""
     named = beside(points)
     for _, some in groupby(points, key=lambda point: point.method):
@@ -76,7 +77,7 @@ def worth_a_picture(one: "WorkPrecision") -> bool:
     return any(point.error is not None for point in one.points[1:])
 
 
-def _row(point: "Point", digits: int):
+def _row(point: "Point", digits: int) -> tuple[str, str, str, str, str]:
     """Errors are told as far as so many digits of the true value go; what did not end takes longer than its time."""
     low, middle, high = map(_in_ms, point.seconds)
     if point.error is None:
@@ -124,7 +125,7 @@ def _stages(found: "Evidence") -> tuple[Section, ...]:
         *(_reason(why, stages) for why, stages in reasons.items()))),)
 
 
-def _ms(cost):
+def _ms(cost: Any) -> str:
     return "" if cost.seconds is None else _in_ms(cost.seconds)
 
 

@@ -20,7 +20,7 @@ def beside(points: Sequence[Point]) -> Point | None:
     return min(reaching, key=lambda point: point.seconds[1]) if reaching else min(plain, key=lambda point: point.error)
 
 
-def _as_good(point, ours):
+def _as_good(point: Point, ours: Point) -> bool:
     return point.error <= max(AS_GOOD * ours.error, ROUNDED)
 
 
@@ -38,7 +38,7 @@ def verdict(points: Sequence[Point]) -> str:
             f"{'of what ended in time none' if cut else 'nothing plain'} reaches {_decade(other.error)}")
 
 
-def _reached(ours, other):
+def _reached(ours: Point, other: Point) -> str:
     """Another one is as good."""
     bound = "" if other.bound is not None else "; it states no bound"
     if other.seconds[1] < ours.seconds[1]:
@@ -53,23 +53,23 @@ def named(point: Point) -> str:
     return f"{point.method} {'at' if point.setting[1:3] == 'e-' else 'with'} {point.setting}"
 
 
-def _ratio(slow, fast):
+def _ratio(slow: Point, fast: Point) -> str:
     ratio = max(slow.seconds[1], 1e-9) / max(fast.seconds[1], 1e-9)
     return f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
 
 
-def _times(ours, other):
+def _times(ours: Point, other: Point) -> str:
     if ours.seconds[1] <= other.seconds[1]:
         return f"1/{_ratio(other, ours)} of the time"
     return f"{_ratio(ours, other)} × the time"
 
 
-def _digits(ours, other):
+def _digits(ours: Point, other: Point) -> str:
     """How many more decimals, of errors below the rounding of a float those of that."""
     count = round(math.log10(other.error / max(ours.error, 2.0 ** -53)))
     return f"{count} digit{'s' * (count != 1)}"
 
 
-def _decade(error):
+def _decade(error: float) -> str:
     """The decade just below an error."""
     return f"1e{math.ceil(math.log10(error)) - 1}"

@@ -5,7 +5,7 @@ from string import ascii_lowercase
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.enumeration import listed
-from vibcli.homework.wording import quantity_in_words, question_in_words
+from vibcli.homework.wording import quantity_in_words
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import (
@@ -44,8 +44,7 @@ def student_sheet(course: "Course", student: "Student", problems: "Sequence[tupl
 
 def _question(number: int, handout: "Handout", variant: int) -> Document:
     problem = handout.problem(variant)
-    asked = question_in_words(Report(problem).document().question)
-    return Document(f"{number}. {handout.title}", None, asked, (
+    return Document(f"{number}. {handout.title}", None, Report(problem).document().question, (
         *handout.figure, *_values(problem, handout), *_asked(handout, handout.variants[variant])))
 
 
@@ -80,7 +79,7 @@ def key_sheet(handout: "Handout", number: int) -> Document:
              figure(points, digits=3))
             for letter, key, points, one in zip(LETTERS, handout.keys, handout.points, variant.keys, strict=False)]
     return Document(f"{handout.title} — variant {number + 1}", problem.spec.get("source"),
-                    question_in_words(Report(problem).document().question), (
+                    Report(problem).document().question, (
         *section("Key", TableBlock(("", "quantity", "answer", "unit", "band", "points"), tuple(rows))),
         *handout.solution(number), *section("Mistakes", _mistakes(handout, variant, problem))))
 

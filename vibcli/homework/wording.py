@@ -1,5 +1,4 @@
-"""Words of sheets as they are set: numbers with their units on one line, Greek letters, signals without names of the
-file that the sheet does not show."""
+"""Words of sheets as they are set: Greek letters, signals without names of the file that the sheet does not show."""
 
 import re
 from typing import TYPE_CHECKING, Any
@@ -10,23 +9,15 @@ from vibcli.quantities.quantity import quantity_of
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator
 
     from vibcli.language.reader import Record
     from vibcli.language.spec import Spec
 
-TOGETHER = "\N{NO-BREAK SPACE}"
-QUANTITY = re.compile(r"[−-]?\d[\d.,]*(?:e[+-]?\d+)? \S+")
 PARTS = "stretch", "force", "power"
 NAMED_BY = "k", "c", "b", "torsion"
 STANDING = {"mode": ("mode i",), "number": ("family i",), "signal": ("a coordinate or signal", "a signal"),
             "time": ("an instant",), "amplitude": ("this amplitude",)}     # in what a quantity is, for what it is of
-
-
-def question_in_words(parts: "Sequence[Any]") -> "tuple[Any, ...]":
-    """The parts of a question, in which no quoted value is broken."""
-    return tuple(part.replace(" ", TOGETHER) if isinstance(part, str) and QUANTITY.fullmatch(part) else part
-                 for part in parts)
 
 
 def quantity_in_words(spec: "Spec", tree: Any, text: str) -> tuple[str, bool]:

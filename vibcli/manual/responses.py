@@ -49,8 +49,16 @@ RESPONSE = [
          "fields that fit all ends and joints, moments, forces and rates. Else, as of a shear after a force that sets "
          "in at once there, with driven ends that jump, of moments after a start in a field that bends a free end, or "
          "where loads along a chain or mast are no polynomials of the place, it is estimated from how amplitudes fall; "
-         "reports, `check` and `--json` say so. A damper of √(Nμ) beside drag is "
+         "reports, `check` and `--json` say so, reports why: of a start, driven ends and other loads each that would "
+         "leave no bound by itself. A damper of √(Nμ) beside drag is "
          "refused, as no wave comes back from it."),
+        ("coupled modes", "Where dampers couple the modes that `damping:` damps, the sum runs over what the first "
+         "modes do together, behind which for each damper one shape follows it as all others do at rest. Of "
+         "displacements and slopes after steps, ramps, blows on masses and slow oscillations, or a start, what it "
+         "leaves is bounded: the error has no more energy than what the others begin with and what dampers would take "
+         "of the forces left out, and what is read of it is as small once more (reciprocity). Of moments, forces and "
+         "rates, of `caughey` through more than two modes, of what nothing holds and of other loads it is estimated, "
+         "by half as many modes too."),
         ("not known", "A number whose error has a bound, certain or estimated, as large as all that its signal becomes "
          "is not told: reports say `not known` and why, `--json` gives null and the reason, files leave such samples "
          "blank, and `check` finds no answer. A value next to a passage through zero is told, and so is what stays at "

@@ -14,7 +14,8 @@ from vibcli.mechanics.linearisation import at_position, residual_terms
 from vibcli.mechanics.linearise import linearise, row_of
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.radicals import without_bars
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Record
@@ -31,9 +32,10 @@ def settle_static_preloads(scene: "Scene") -> "tuple[Scene, dict[str, Node]]":
     unknowns = [node for node, _ in scene.static_preloads]
     vibrating = scene.vibrating
     form = at_position(steady(vibrating, linearise(vibrating)), vibrating.drawn_position)
-    columns = [_column(form, unknown, _row_of_law(vibrating, record)) for unknown, record in scene.static_preloads]
+    columns = [_without_rounding(scene, _column(form, unknown, _row_of_law(vibrating, record)))
+               for unknown, record in scene.static_preloads]
     sums = [scene.table.total(terms) for terms in residual_terms(form)]
-    rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
+    rest = _without_rounding(scene, substitute(sums, dict.fromkeys(unknowns, scene.table.zero)))
     numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
     rows, picked = pivots(_balanced([row[:-1] for row in numbers], scene.units_of(scene.coordinates)))
     tensions = solve_linear([[columns[j][i] for j in picked] + [-rest[i]] for i in rows], scene.table.zero)
@@ -62,6 +64,14 @@ def _column(form: "Linearisation", unknown: "Node", of_law: "Mapping[int, Node]"
             for i, slope in row.items():
                 found[i] = found[i] + share * slope
     return found
+
+
+def _without_rounding(scene: "Scene", column: "list[Node]") -> "list[Node]":
+    """A column with zero for what is so by algebra alone, where floats leave a little of it."""
+    sizes = [abs(x) for x in evaluate(column, Floats, scene.sample)]
+    little = LOOSE * max(sizes, default=0.0)
+    return [scene.table.zero if 0 < size <= little and is_zero(without_bars(node, [scene.sample])) else node
+            for size, node in zip(sizes, column, strict=True)]
 
 
 def _share(force: "Node", unknown: "Node") -> "Node":

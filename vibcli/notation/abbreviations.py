@@ -15,12 +15,13 @@ SHORT = 2           # roots of fewer terms are left in place
 SHORTER = 0.75      # of the letters, or columns, of what is multiplied out, in which it is shown as it was before
 
 
-def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]") -> "tuple[list[Node], list[tuple[Node, Node]]]":
+def abbreviated(nodes: "Sequence[Node]", known: "dict[Node, Node]",
+                fixed: bool = False) -> "tuple[list[Node], list[tuple[Node, Node]]]":
     """(nodes with long roots replaced, [(symbol, root)] of those that are new). `known` {sum: symbol} is added to; of
-    sums that differ in form alone the symbol is one."""
+    sums that differ in form alone the symbol is one. fixed: of parameters alone, too?"""
     table, new, grouped = nodes[0].table if nodes else None, [], None
     for node in nodes:
-        for base in _rooted(node):
+        for base in _rooted(node, fixed):
             if base not in known:
                 whole = textbook(base)
                 if whole not in known:
@@ -42,14 +43,14 @@ def _by_legs(table: "Table") -> "dict[Node, Node]":
     return {textbook(square): square for square in grouped}
 
 
-def _rooted(node: "Node") -> "list[Node]":
+def _rooted(node: "Node", fixed: bool) -> "list[Node]":
     """The long sums that stand under a root, or below a line as the square of a length does, anywhere in a node."""
     pending, found = [node], []
     while pending:
         part = pending.pop()
         if part.op == "product":
-            found += [base for base, e in part.args if base.op == "sum" and base.mask and len(base.args) >= SHORT
-                      and (e.denominator == 2 or e < 0)]
+            found += [base for base, e in part.args if base.op == "sum" and len(base.args) >= SHORT
+                      and ((e.denominator == 2 and (base.mask or fixed)) or (e < 0 and base.mask))]
         if part.op in ("sum", "product"):
             pending.extend(arg for arg, _ in part.args)
         elif part.op == "call":

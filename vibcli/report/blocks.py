@@ -22,7 +22,7 @@ those of the first.
 import re
 from collections.abc import Callable, Iterable, Iterator
 from itertools import compress
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.named_tuple import NamedTuple
 
@@ -49,7 +49,7 @@ class Words(NamedTuple):
 class SumOfTerms(NamedTuple):
     """A sum of nodes whose own sums lose their brackets."""
 
-    nodes: tuple
+    nodes: "tuple[Node, ...]"
 
 
 class WithNumbers(NamedTuple):
@@ -74,8 +74,7 @@ class Quotient(NamedTuple):
     @property
     def node(self) -> "Node":
         """Its value."""
-        found: Node = self.above / self.below
-        return found
+        return cast("Node", self.above / self.below)
 
 
 class Either(NamedTuple):
@@ -89,7 +88,7 @@ class Either(NamedTuple):
 class ShownMatrix(NamedTuple):
     """Rows of entries between brackets, each the parts of a formula."""
 
-    rows: tuple[tuple[tuple, ...], ...]
+    rows: tuple[tuple[tuple[Any, ...], ...], ...]
 
 
 class Typed(NamedTuple):
@@ -103,14 +102,14 @@ class Typed(NamedTuple):
 class Maths(NamedTuple):
     """A formula in running text or in a cell."""
 
-    parts: tuple
+    parts: tuple[Any, ...]
 
 
 class Line(NamedTuple):
     """A formula in a line of its own, with what stands before it: `φ:` or `mode 1:`."""
 
-    parts: tuple
-    label: tuple = ()
+    parts: tuple[Any, ...]
+    label: tuple[Any, ...] = ()
     hang: int | None = 4
     inset: int = 0
 
@@ -118,13 +117,13 @@ class Line(NamedTuple):
 class Equations(NamedTuple):
     """Lines of mathematics, set apart from the text."""
 
-    lines: tuple
+    lines: tuple[Line, ...]
 
 
 class Paragraph(NamedTuple):
     """Words and Maths in running text; `aside`: it explains symbols of what stands above."""
 
-    parts: tuple
+    parts: tuple[str | Maths, ...]
     hang: int | None = 2
     aside: bool = False
 
@@ -138,21 +137,21 @@ class Heading(NamedTuple):
 class TableBlock(NamedTuple):
     """A head and rows; a cell is a text or Maths."""
 
-    head: tuple
-    rows: tuple
+    head: tuple[str | Maths, ...]
+    rows: tuple[tuple[str | Maths, ...], ...]
 
 
 class Definition(NamedTuple):
     """What something is called, or what it is, and what is said of it."""
 
-    term: tuple
+    term: tuple[str | Maths, ...]
     about: str = ""
 
 
 class Definitions(NamedTuple):
     """Definitions, one a line, or `flowing` one after the other; `gap` stands between term and words."""
 
-    items: tuple
+    items: tuple[Definition, ...]
     gap: str = "  "
     flowing: bool = False
 
@@ -184,7 +183,7 @@ class Section(NamedTuple):
     """A title and its blocks."""
 
     title: str
-    blocks: tuple
+    blocks: tuple[Any, ...]
 
 
 class Document(NamedTuple):
@@ -192,8 +191,8 @@ class Document(NamedTuple):
 
     title: str
     source: str | None
-    question: tuple
-    sections: tuple
+    question: tuple[str | Maths, ...]
+    sections: tuple[Section, ...]
     refusal: Refusal | None = None
 
 
@@ -215,7 +214,7 @@ def factors(nodes: "Iterable[Node]") -> list[Any]:
         part for node in together + sums for part in ("·", Factor(node))][1:]
 
 
-def equations(lines: Iterable) -> Equations | None:
+def equations(lines: Iterable[Line]) -> Equations | None:
     """The lines as a block, or None where there are none."""
     lines = tuple(lines)
     return Equations(lines) if lines else None
@@ -243,7 +242,7 @@ def paragraph(*parts: Any, hang: int | None = 2, aside: bool = False) -> Paragra
     return Paragraph(parts, hang, aside)
 
 
-def separated(parts: Iterable, by: str = ", ") -> list[str | Maths]:
+def separated(parts: Iterable[str | Maths], by: str = ", ") -> list[str | Maths]:
     """[part, by, part …]"""
     found = []
     for part in parts:

@@ -4,12 +4,13 @@ A section is a generator of the same name in the file that sections.SECTIONS giv
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
+from vibcli.notation.names_in_words import NAMED
 from vibcli.reader.read import QUOTE
 from vibcli.report.blocks import Document, Name, Section, explained, maths
 from vibcli.report.sections import SECTIONS
@@ -27,7 +28,7 @@ EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "
 MEASURED = {"equilibrium", "reactions", "virtual_work", "energies", "equations", "matrices"}
 OF_MODES = {"frequencies", "damping", "modes"}
 
-NAMED = re.compile(r"(?<![\w.\[])((?<!')[^\W\d]\w*'*|(?<=')[^\W\d]\w*)(?![\w\[(]|\.\w)")  # in quotes it has no primes
+NO_BREAK = "\N{NO-BREAK SPACE}"        # between a number and its unit
 
 
 class Report:
@@ -37,7 +38,7 @@ class Report:
     refusal: PhysicsError
 
     def __init__(self, problem: "Problem", normalise: str = "first", pictures: bool = False,
-                 wanted: Wanted | None = None):
+                 wanted: Wanted | None = None) -> None:
         self.problem, self.normalise, self.pictures = problem, normalise, pictures
         self.sections, self.roots, self.refusal = [], {}, None
         self.wanted = wanted or Wanted()
@@ -91,8 +92,8 @@ def title_of(spec: "Spec", case: str | None) -> str:
     return f"{title} — case {case}" if case else title
 
 
-def _quoting(spec, text):
-    """The words of a question, its quoted parameters as their values or symbols."""
+def _quoting(spec: "Spec", text: str) -> Iterator[Any]:
+    """The words of a question, its quoted parameters as their values, on one line with their units, or symbols."""
     from vibcli.report.sections.parameters import as_given
 
     words = re.split(QUOTE, text)
@@ -105,10 +106,11 @@ def _quoting(spec, text):
             continue
         record = spec.parameters[plain_name(part)]
         known = "value" in record and plain_name(part) not in spec.choices
-        yield as_given(record["value"], frozenset(spec.parameters)) if known else maths(Name(plain_name(part)))
+        found = as_given(record["value"], frozenset(spec.parameters)) if known else maths(Name(plain_name(part)))
+        yield found.replace(" ", NO_BREAK) if isinstance(found, str) else found
 
 
-def _with_symbols(text, names):
+def _with_symbols(text: str, names: tuple[str, ...]) -> Iterator[str]:
     """Words with the names of the scene that have symbols, as phi1 and k2, by these; powers and products in print."""
     from vibcli.notation.plain import plain
 
@@ -122,7 +124,7 @@ def _with_symbols(text, names):
     yield from filter(None, (_in_print(words),))
 
 
-def _in_print(words):
+def _in_print(words: str) -> str:
     from vibcli.notation.numbers import NEGATIVE
     from vibcli.notation.typed_values import SUPERSCRIPT
 

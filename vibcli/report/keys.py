@@ -22,8 +22,8 @@ class Key(NamedTuple):
     name: str
     about: str
     value: Any = None
-    each: tuple = ()
-    of: tuple = ()
+    each: tuple[Any, ...] = ()
+    of: tuple[Any, ...] = ()
 
     def row(self, *values: Any) -> dict[str, Any]:
         """{name: value} of an object, or of an entry of the list."""
@@ -44,7 +44,8 @@ def data(keys: Sequence[Key], found: "Mapping[str, Any] | tuple[DampedMode, dict
     return {key.name: _value(key, found, digits) for key in keys}
 
 
-def _value(key, found, digits):
+def _value(key: Key, found: "Mapping[str, Any] | tuple[DampedMode, dict[str, float]] | Shares | Problem",
+           digits: int | None) -> Any:
     if key.value is not None:
         value = key.value(found)
     else:

@@ -45,7 +45,7 @@ class OwnLetters(NamedTuple):
         """A text of mathematics."""
         return TOKEN.sub(self._token, text) if self.others else text
 
-    def _token(self, found):
+    def _token(self, found: Any) -> str:
         word = found[0]
         return "d" + self.others.get(word[1], word[1]) if len(word) == 2 and word[0] == "d" else self.others.get(
             word, word)
@@ -54,7 +54,7 @@ class OwnLetters(NamedTuple):
         """Words that speak of the place x."""
         return WORD.sub(self.place, text)
 
-    def parts(self, parts: Sequence[Any]) -> tuple:
+    def parts(self, parts: Sequence[Any]) -> tuple[Any, ...]:
         """Parts of a formula."""
         return tuple(map(self._part, parts)) if self.others else tuple(parts)
 
@@ -71,7 +71,7 @@ class OwnLetters(NamedTuple):
         return line._replace(parts=self.parts(line.parts), node=node, vanishes=vanishes,
                              letter=self.symbol(line.letter), settles=settles + power + exponent)
 
-    def _part(self, part):
+    def _part(self, part: Any) -> Any:
         if type(part) is str:
             return self.text(part)
         if isinstance(part, Words):
@@ -124,7 +124,7 @@ def of_oscillators(scene: "Scene", blocks: "Iterable[Any]") -> list[Any]:
         return list(blocks)
     natural = "omega_n" if "omega" in own.names else OMEGA
 
-    def part(one):
+    def part(one: Any) -> Any:
         if type(one) is str:
             return letters.text(BARE.sub("ω_n", one) if natural != OMEGA else one)
         if isinstance(one, Node):
@@ -134,7 +134,7 @@ def of_oscillators(scene: "Scene", blocks: "Iterable[Any]") -> list[Any]:
             return SumOfTerms(tuple(map(part, one.nodes)))
         return Factor(part(one.node)) if isinstance(one, Factor) else one
 
-    def block(one):
+    def block(one: Any) -> Any:
         if isinstance(one, Equations):
             return Equations(tuple(line._replace(parts=tuple(map(part, line.parts))) for line in one.lines))
         return one._replace(parts=tuple(Maths(tuple(map(part, each.parts))) if isinstance(each, Maths) else (

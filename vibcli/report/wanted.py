@@ -16,14 +16,14 @@ class Wanted(NamedTuple):
     many instants are sampled; at: instants as (text, Fraction of a second), to so many digits; modes: the Selection of
     them, or None; sweep: the Sweep, variants: the SolvedVariants that are told, or None."""
 
-    signals: tuple = ()
+    signals: tuple[Any, ...] = ()
     driver: Any = None
     phase: str = "sine"
     low: float | None = None
     high: float | None = None
-    parts: tuple = ()
+    parts: tuple[Any, ...] = ()
     points: int = 1001
-    at: tuple = ()
+    at: tuple[Any, ...] = ()
     digits: int | None = None
     modes: "Selection | None" = None
     sweep: "Sweep | None" = None

@@ -35,6 +35,10 @@ class ComposedOfModes(ComposedSignal):
         super().__init__(node, signals, floats, time, None, work)
         self.asked = asked
 
+    @property
+    def why_estimated(self) -> str:
+        return ", and ".join(dict.fromkeys(one.why_estimated for one in self.signals.values() if one.is_estimated))
+
     def read_at(self, t: float) -> Signal:
         return by_waves(self, self.asked, t)
 

@@ -2,24 +2,29 @@
 without damping, as many as are counted, beside what loads do exactly."""
 
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.mechanics.factored_system import summed
 from vibcli.results.modal_response import ModalResponse
 from vibcli.results.not_by_modes import NotByModes
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy import ndarray
 
+    from vibcli.analyses.continuous.coupled_left_out import CoupledLeftOut
     from vibcli.analyses.continuous.coupled_modes import TiedModes
     from vibcli.analyses.continuous.coupled_transfer import CoupledTransfer, Dampers
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
     from vibcli.analyses.continuous.member_damping import MemberDamping
     from vibcli.analyses.continuous.modal_motion import ModalMotion
+    from vibcli.analyses.continuous.mode_basis import ModeBasis
     from vibcli.mechanics.factored_system import FactoredSystem
 
 FEWEST, MOST = 32, 256      # modes
 ALIKE = 1e-14       # relative difference of rates that are one
+BELOW = 1 - 1e-9    # of a frequency: surely below it
 NOISE = 1e-8        # rounding of eigenvalues, of the lowest: a sum over all modes is not better
 EPSILON = 2.0**-52
 
@@ -126,7 +131,7 @@ class CoupledModalResponse(ModalResponse):
         from vibcli.analyses.continuous.modal_motion import ModalMotion
 
         parts = self._transfer, self._forces, self.problem.work
-        return EstimatedMotion(self._modes(count), *parts, fewer=ModalMotion(self._modes(count // 2), *parts))
+        return EstimatedMotion(self._modes(count), *parts, half=lambda: ModalMotion(self._modes(count // 2), *parts))
 
     @property
     def _natural_elements(self) -> "FactoredSystem":
@@ -142,7 +147,22 @@ class CoupledModalResponse(ModalResponse):
         inputs = self._felt(basis)
         damping = np.array([float(given.rate(mode)) for mode in modes])
         following = FollowingShapes(basis, inputs, self._exact, self._dampers)
-        return TiedModes(basis, inputs, self._start(basis), (damping, given.of_squares), following, given.creeps)
+        return TiedModes(basis, inputs, self._start(basis), (damping, given.of_squares), following, given.creeps,
+                         self._left_out(basis, inputs, damping))
+
+    def _left_out(self, basis: "ModeBasis", inputs: "ndarray",
+                  damping: "ndarray") -> "Callable[[TiedModes, Any], CoupledLeftOut] | None":
+        """What gives the CoupledLeftOut under segments of the loads; None where none is known."""
+        from vibcli.analyses.continuous.coupled_left_out import CoupledLeftOut
+        from vibcli.analyses.continuous.given_denominators import denominators
+
+        count = len(basis.squares)
+        omega = BELOW * float(self.problem.modal.modes.first(count + 1)[-1].omega or 0.0)
+        beyond = denominators(self._given, count, omega)
+        if beyond is None or not (basis.squares > 0).all() or (self._dampers.rates < 0).any() or self.let_go:
+            return None
+        disturbed = self._disturbed(basis, inputs, damping)[1]
+        return lambda modes, segments: CoupledLeftOut(modes, self._transfer, beyond, disturbed(segments), segments)
 
 
 def _without_drag(elements: "FactoredSystem", rate: float) -> "FactoredSystem":

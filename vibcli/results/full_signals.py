@@ -1,6 +1,6 @@
 """Signals of motions whose places, velocities and accelerations are known at any instant: integrated or prescribed."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from vibcli.base.errors import PhysicsError
@@ -37,7 +37,7 @@ class FullSignal(Signal):
         self.motion, self.node, self.forces, self.shared = motion, node, forces or {}, shared
         self._errors: dict[Any, SignalError] = {}
 
-    def values(self, times: "np.ndarray", order: int = 0) -> "np.ndarray":
+    def values(self, times: "np.ndarray | Sequence[float]", order: int = 0) -> "np.ndarray":
         if order:
             raise PhysicsError("rates of composed signals are not found", "ask for x' or x''")
         import numpy as np

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.results.signal import Signal
-from vibcli.results.without_bound import without_bound
+from vibcli.results.without_bound import why_estimated, without_bound
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -80,9 +80,7 @@ class ModalSignal(Signal):
 
     @property
     def why_estimated(self) -> str:
-        disturbed = self.modal.modes.disturbed
-        known = disturbed and disturbed(self.modal.forcing.pieces)
-        return known.reason(self.reads) if known else ""
+        return why_estimated(self.modal, self.reads)
 
     def told_zero(self, t: float) -> float:
         """A share of what is alike elsewhere on the members."""
@@ -97,9 +95,9 @@ class ModalSignal(Signal):
     def error_of_mean(self, start: float, end: float) -> float:
         """Of its mean: what modes left out add are free vibrations on each stretch, |∫ e^{λt} dt| ≤ 2/|λ|; of what is
         bounded by energies no amplitudes are known."""
-        from vibcli.analyses.continuous.complex_modes import ComplexModes
+        from vibcli.analyses.continuous.real_modes import RealModes
 
-        by_energy = isinstance(self.modal.modes, ComplexModes) and not self.is_estimated
+        by_energy = not isinstance(self.modal.modes, RealModes) and not self.is_estimated
         slowest = 0.0 if by_energy else min(self.modal.modes.left_out)
         begins = [start, *(one.start for one in self.modal.stretches(end) if start < one.start < end)]
         left = [self.modal.bound(self.reads, t) for t in begins]

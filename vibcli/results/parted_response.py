@@ -146,7 +146,7 @@ def _joined(parts: "Sequence[PartOfMembers]") -> PartOfMembers:
 
 def _travels(placed: "PlacedPiece") -> bool:
     """Do waves keep their form along a piece?"""
-    from vibcli.analyses.continuous.travelling_waves_march import wave_piece
+    from vibcli.analyses.continuous.travelling_waves_piece import wave_piece
 
     try:
         wave_piece(placed, ({}, None), ({}, None))

@@ -254,7 +254,7 @@ class Problem:
             raise NotInLetters("motions of members that vibrate are found in numbers",
                                "give the parameters values with --set")
 
-    def symbolic_frequency_response(self, signal: "LinearSignal", driver: str,
+    def symbolic_frequency_response(self, signal: "LinearSignal | str", driver: str,
                                     frequency: "str | Node" = "Omega") -> "Formula":
         """The Formula of a frequency response; `frequency`: its letter, or an expression for it."""
         from vibcli.analyses.closed_form.frequency_response import formula

@@ -81,6 +81,10 @@ class RepeatingSignal(Signal):
     def is_estimated(self) -> bool:
         return self.signal.is_estimated
 
+    @property
+    def why_estimated(self) -> str:
+        return self.signal.why_estimated
+
     def error_of_extreme(self, start: float, end: float, top: tuple[float, float], sense: int) -> float:
         end = min(end, start + self.period)
         late = self._tops.get(top, (top[0] + self.start, top[1] + self.aside))

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.modal_motion import ModalMotion
     from vibcli.analyses.continuous.travelling_waves import WaveMotion
-    from vibcli.analyses.continuous.travelling_waves_march import WavePiece
+    from vibcli.analyses.continuous.travelling_waves_piece import WavePiece
     from vibcli.analyses.excitation.forcing import Forcing
     from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.results.part_of_members import PartOfMembers
@@ -49,7 +49,7 @@ class WaveResponse(ResponseOfMembers):
 
     def _pieces(self, placed: "Sequence[PlacedPiece]") -> "list[WavePiece]":
         """The WavePieces of PlacedPieces."""
-        from vibcli.analyses.continuous.travelling_waves_march import wave_piece
+        from vibcli.analyses.continuous.travelling_waves_piece import wave_piece
 
         numbered = self._numbered_ends
         return [wave_piece(one, *(end[:2] for end in numbered[2 * k:2 * k + 2])) for k, one in enumerate(placed)]

@@ -4,6 +4,7 @@ from math import tau
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.continuous.disturbances import BOTH, FALL, FIELD, PACE, SERIES, TENSION
+from vibcli.analyses.continuous.left_out_causes import IN_FIELD
 from vibcli.base.errors import NoBound
 
 if TYPE_CHECKING:
@@ -33,9 +34,18 @@ def without_bound(motion: "ModalMotion", output: "LinearOutput", t: float) -> No
     """The refusal of an output of a motion of which modes left out have no bound at an instant."""
     obstacle = motion.obstacle(output, t)
     reason, hint = REASONS[obstacle]
+    if obstacle == FALL and motion.modes.disturbed:
+        why = why_estimated(motion, output)
+        reason, hint = f"{reason}, {why}" if why else reason, f"{FITTING}; {hint}" if IN_FIELD in why else hint
     dies_out = obstacle in (FIELD, SERIES, BOTH) and motion.slowest and motion.is_bounded(
         output, t + tau / motion.slowest)
     return NoBound(LEFT_OUT + reason, LATER if dies_out else hint)
+
+
+def why_estimated(motion: "ModalMotion", output: "LinearOutput") -> str:
+    """Why what they add is estimated, in words."""
+    modes = motion.modes
+    return modes.disturbed(motion.forcing.pieces).reason(output) if modes.disturbed else modes.UNBOUNDED
 
 
 def whenever(hint: str, other: str) -> str:

@@ -15,7 +15,7 @@ def without(total: "Node", terms: Any, cleared: "Callable[[Mapping[Monomial, Fra
             expanded: Callable[..., dict[Any, Any]]) -> Any:
     """The polynomial without a sum that it is divided by, where that goes into all of it, and without brackets that
     stood for it above the line; itself where it does not. `cleared(terms, below)`: what stands above."""
-    below = max(0, *(-dict(monomial).get(total, 0) for monomial in terms))
+    below = max((0, *(-dict(monomial).get(total, 0) for monomial in terms)))
     try:
         found, divisor = cleared(terms, ((total, below),)), expanded(total, ())
     except ArithmeticError:

@@ -36,6 +36,8 @@ def folded(table: "Table", name: str, args: "Sequence[Node]") -> "Node | None":
         return table.number((args[0].coefficient > 0) - (args[0].coefficient < 0))
     if name == "sign" and table.is_positive(args[0]):
         return table.one
+    if name == "atan2" and args[0].is_zero and _adds_squares(args[1]):
+        return table.zero
     if name in _STARTS and args[0].op == "number":
         begun = args[0].coefficient > 0
         return {"step": table.one, "ramp": args[0]}.get(name, table.zero) if begun else table.zero
@@ -52,6 +54,14 @@ def folded(table: "Table", name: str, args: "Sequence[Node]") -> "Node | None":
     if name in ("sin", "cos"):
         return _at_multiple_of_pi(table, name, args[0])
     return args[0] if name == "abs" and table.is_positive(args[0]) else None
+
+
+def _adds_squares(node: "Node") -> bool:
+    """Is it a sum of squares?"""
+    if node.op == "sum":
+        return node.coefficient >= 0 and all(c > 0 and _adds_squares(part) for part, c in node.args)
+    even = node.op == "product" and all(e % 2 == 0 for _, e in node.args)
+    return node.coefficient >= 0 and (even or node.op == "number")
 
 
 def _power_of_zero(table: "Table", exponent: "Node") -> "Node | None":

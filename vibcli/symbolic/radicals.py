@@ -20,7 +20,7 @@ CIRCULAR = ("sin", "cos", "tan")
 ANGLES = (0.9, 2.3, 4.1, 5.6)       # one in each quadrant
 
 
-def root(node: "Node", samples: Sequence[dict[str, float]] = ()) -> "Node":
+def root(node: "Node", samples: "Sequence[Mapping[str, float]]" = ()) -> "Node":
     """√node of a quotient whose value is positive. A perfect square gives its root: with the sign that makes it
     positive at all `samples` ({letter: float}), else between bars."""
     table = node.table

@@ -71,6 +71,7 @@ def test_what_is_written_is_not_written_again():
     assert written(once) == once
 
 
+@pytest.mark.sweep
 def test_a_scene_in_letters_has_expressions():
     found = written(TWO)
     assert "  omega[1]: sqrt((3 - sqrt(5))*k/(2*m))\n" in found and "  mode[2][y]: (1 - sqrt(5))/2\n" in found
@@ -145,6 +146,7 @@ def test_numbers_of_modes_that_letters_leave_open_are_no_answers(second, said, c
     assert ("omega[1]: sqrt(k1/m)" in found) is (second == "k1")
 
 
+@pytest.mark.sweep
 def test_a_critically_damped_mode_has_no_damped_frequency(capsys):
     found = written(TWO.split("bodies")[0].replace("k: ", "k: , c: ") + MASS[MASS.index("bodies"):MASS.index("  omega")]
                     + "  zeta[1]: 1\nchoose:\n  c: zeta[1] = 1\n")
@@ -170,6 +172,7 @@ def test_other_commands_have_no_such_format(capsys):
     assert run(["frequencies", "scene.yaml", "--format", "scene"]) == 2
 
 
+@pytest.mark.sweep
 def test_a_scene_without_equilibrium_is_refused(capsys):
     Path("scene.yaml").write_text("parameters: {g: 9.81 m/s^2}\ngravity: g\n"
                                   "bodies: {b: {mass: 1 kg, at: [0, 0], slide: {along: [0, 1], by: y}}}\n"

@@ -99,6 +99,7 @@ def test_types_are_written_on_all_public_functions():
 # values
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_values_are_those_that_check_finds(path):
     model = vibcli.load(path)
@@ -324,6 +325,7 @@ def test_records_lie_in_the_folder():
 # reports
 
 
+@pytest.mark.sweep
 def test_a_notebook_shows_report_and_figure(driven, tmp_path):
     html, tex = driven._repr_html_(), driven._repr_latex_()
     assert "<svg" in html and "<math" in html and "<html" not in html

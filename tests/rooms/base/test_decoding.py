@@ -2,9 +2,12 @@
 
 import sys
 
+import pytest
+
 from vibcli.base.decoding import decode, forbidden, prints
 
 
+@pytest.mark.sweep
 def test_every_character_that_is_forbidden_does_not_print():
     for number in range(sys.maxunicode + 1):
         assert not (forbidden().match(chr(number)) and prints(chr(number))), hex(number)

@@ -60,6 +60,7 @@ def test_half_a_unit_and_at_most_half_a_percent(stiffness, value, good):
     assert agrees(MASS.replace("800 N/m", stiffness), f"omega[1]: {value}") is good
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("line, remark", [
     ("omega[1]: 3.18310 rad/s", "Hz"), ("frequency[1]: 20.0 Hz", "in rad/s"), ("period[1]: 0.0500 s", "1/ω"),
     ("omega[1]: 10.0 rad/s", "half of it"), ("omega[1]: 40.0 rad/s", "twice of it"), ("omega[1]: -20.0 rad/s", "sign"),
@@ -345,6 +346,7 @@ motion: full
 TURNS = 0.03384973285088846     # where x' passes zero
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("asked", [f"T({TURNS})", "min(T)", f"x'({TURNS})"])
 def test_a_number_near_zero_agrees_with_zero_alone(asked):
     """The error of what is found is absolute: as a part of a number near zero it may be more than all of it."""

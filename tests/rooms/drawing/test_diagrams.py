@@ -1,7 +1,7 @@
 """Diagrams of forces and moments within members: what is drawn are the values of signals, nothing lies over another."""
 
 from functools import cache
-from itertools import combinations
+from itertools import combinations, pairwise
 from math import pi, sin
 from pathlib import Path
 from types import SimpleNamespace
@@ -156,6 +156,7 @@ def test_forces_and_moments_balance_at_a_corner_without_mass():
         [-girder["shear"], girder["force"], girder["moment"]], rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_members_in_the_plane_stand_where_they_are():
     scene, which = scene_of("frame")
     drawn, stage = force_drawing(scene, which), Scenery(scene.scene)
@@ -218,3 +219,16 @@ def test_an_amplitude_that_vanishes_between_two_places_has_no_value_there():
     for place in (0.3141592, 0.35, 0.3777, 0.41, 0.4321):
         corner = CurveStretch(0.0, 1.0, lambda x, place=place: np.abs(np.asarray(x) - place))
         assert [x for x, _ in told(InternalForce("a", "moment", [corner]))] == [0.0, 1.0]
+
+
+def test_a_value_is_written_once_where_the_curve_has_it_twice_close_together():
+    """The least shear between two supports stands so near to the second one that both read alike."""
+    which = WhichForces(mode=2)
+    scene = problem_of(ROOT / "problems/8_continuous/overhanging_beam_with_a_mass.yaml")
+    words = ["".join(run.text for run in part.runs) for part in force_drawing(scene, which)
+             if isinstance(part, LetterRuns)]
+    shear = found_forces(scene, which)[0][0]
+    values = [y for _, y in told(shear)]
+    assert any(abs(a - b) < 1e-4 * shear.largest for a, b in pairwise(values)) and "0.5171 m" in words
+    newtons = [word for word in words if word.endswith(" N")]
+    assert len(newtons) > 3 and len(set(newtons)) == len(newtons)

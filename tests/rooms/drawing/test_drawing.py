@@ -105,6 +105,7 @@ def test_every_scene_is_drawn(path):
                    for box in (part.box for part in texts(found)))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", [path for path in FILES if path.stem in (
     "chain_of_masses", "unbalanced_motor", "epicyclic_gear_with_sprung_ring", "lever_on_shaking_floor", "u_tube")],
     ids=lambda path: path.stem)
@@ -138,6 +139,7 @@ def test_the_same_bytes():
     assert one == two
 
 
+@pytest.mark.sweep
 def test_settings_of_the_user_change_nothing():
     import matplotlib
 
@@ -225,6 +227,7 @@ def words_and_size(text):
     return words(found), [round(x, 6) for x in extent(found)]
 
 
+@pytest.mark.sweep
 def test_letters_draw_what_overlaps_least():
     given = problem_of(ROOT / "problems/3_free_undamped/geared_pendulums.yaml")
     assert given.numeric.has_free_symbols
@@ -321,6 +324,7 @@ def test_modes_that_cannot_be_drawn(text, index, message):
         mode_shape.draw(problem(text), index)
 
 
+@pytest.mark.sweep
 def test_gif_and_page_of_a_mode():
     from PIL import Image
 
@@ -392,6 +396,7 @@ def test_the_response_of_a_scene(kind):
     assert across[0] == pytest.approx(max(across)) and min(across) < -0.9 * max(across)
 
 
+@pytest.mark.sweep
 def test_a_scene_at_rest_is_not_animated():
     sagging = "parameters: {L: 1 m, EI: 9 N*m^2, mu: 1 kg/m, q: 3 N/m}\n" \
         "beams: {b: {length: L, EI: EI, mass_per_length: mu, left: clamped}}\n" \
@@ -421,6 +426,7 @@ def test_a_particle_on_a_curve_is_seen_on_it_in_motion_too(frames):
         assert path[0][0] < ball[0] < path[-1][0] and min(near) < 0.5
 
 
+@pytest.mark.sweep
 def test_large_animations_lose_frames(monkeypatch):
     from vibcli.drawing.canvas import pillow_canvas
 
@@ -485,6 +491,7 @@ def test_wrong_commands(args, code, message, tmp_path, monkeypatch, capsys):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.sweep
 def test_a_mode_of_a_scene_that_chooses(tmp_path):
     scene = ROOT / "vibcli/examples/two_springs_for_two_frequencies.yaml"
     assert run(["draw", str(scene), "--mode", "2", "-o", str(tmp_path / "a.png")]) == 0

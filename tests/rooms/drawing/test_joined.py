@@ -142,6 +142,7 @@ def test_a_pulley_hangs_in_a_rope_where_its_rim_stands_still(y, x, turn, side):
         assert [stop.at.carrier for stop in found[1:]] == ["pulley", "strand"][:1 + (side < 0)]
 
 
+@pytest.mark.sweep
 def test_no_bearing_stands_in_the_way_of_a_spring_where_other_letters_avoid_it():
     found = problem_of(PROBLEMS / "3_free_undamped/governor_linkage_at_rest.yaml")
     stage = letters.pleasing(found, compose.Scenery)
@@ -158,6 +159,7 @@ def test_a_post_grows_from_the_nearest_one_of_its_body():
     assert plane.distance(winch[0], winch[-1]) == pytest.approx(0.2 * stage.sketch.scale)
 
 
+@pytest.mark.sweep
 def test_members_stand_clear_of_what_hangs_on_those_above():
     for name in ("bars", "beams"):
         stage = compose.Scenery(problem_of(PROBLEMS.parent / f"vibcli/examples/{name}.yaml").scene)
@@ -177,6 +179,7 @@ def test_a_pulley_in_a_rope_that_the_scene_names_hangs_in_no_other():
     assert list(compose.Scenery(found.scene).ropes) == ["rope"]
 
 
+@pytest.mark.sweep
 def test_single_lengths_are_drawn_otherwise_until_pulleys_stand_apart():
     for name in ("1_statics_and_energy/differential_hoist", "6_two_degrees/three_weights_two_pulleys"):
         found = problem_of(PROBLEMS / f"{name}.yaml")

@@ -100,6 +100,7 @@ def test_modes_move_and_return():
     assert frames[0] != frames[animation.FRAMES // 4]
 
 
+@pytest.mark.sweep
 def test_motions_in_time_bend_members_that_have_no_coordinates():
     found = problem_of(ROOT / "problems/8_continuous/plucked_string.yaml")
     frames, _, _ = animation.of_response(found)

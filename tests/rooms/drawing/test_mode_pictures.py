@@ -116,6 +116,7 @@ def test_arrows_are_as_long_as_the_mode_tells(name):
         assert tips == pytest.approx([start + length for start, length in told if abs(length) > 2.0])
 
 
+@pytest.mark.sweep
 def test_the_shape_of_a_member_is_found_once_for_all_frames(monkeypatch):
     asked, shape_along = [], mode_fields.shape_along
 
@@ -141,6 +142,7 @@ def test_bodies_close_together_in_a_row_leave_room_for_the_springs_between_them(
         assert min(gaps) > KEPT - 1e-9 and max(gaps) > KEPT + 5.0
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("index", [1, 2])
 def test_springs_of_a_bed_follow_the_member_that_rests_on_them(index):
     """Each reaches from the ground to the edge of the rail, which stays above the ground."""
@@ -211,3 +213,18 @@ def test_a_page_says_which_modes_it_does_not_draw(scene, tmp_path):
     assert run(["solve", scene(LETTERS), "--pictures", "-o", str(tmp_path / "r.md")]) == 0
     told = (tmp_path / "r.md").read_text()
     assert "## Mode shapes on the scene at rest\n\nnot drawn: these parameters have no values: m, k, L\n" in told
+
+
+@pytest.mark.parametrize("index", [1, 2])
+def test_the_dashed_line_between_two_strings_follows_their_joined_ends(index):
+    """The wire ends at the tip of the gut, in motion too; both are drawn as far aside, each in its own row."""
+    found = kept_problem_of(ROOT / "problems" / "8_continuous" / "two_strings.yaml")
+    stage = compose.Scenery(found.scene)
+    motion = vibration.Vibration(found, index, stage)
+    bends = motion.bends(0.0)
+    dashed, = [part.points for part in compose.figure(stage, motion.at(0.0), motion.unit, bends=bends)[0]
+               if isinstance(part, Polyline) and part.dashed]
+    joined = [place(strip, bends[strip.name], x) for strip in stage.strips for x in (0.0, strip.metres)]
+    assert all(any(plane.distance(end, one) < 1e-9 for one in joined) for end in dashed)
+    still = [strip.at(x) for strip in stage.strips for x in (0.0, strip.metres)]
+    assert min(plane.distance(end, one) for end in dashed for one in still) > 3.0

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from support import overlaps
-from support.overlaps import cross, crossed, grounded, measured, struck, touching
+from support.overlaps import begun, cross, crossed, grounded, measured, struck, touching
 from support.scenes import kept_drawing_of, problem
 
 from vibcli.drawing.canvas.primitives import (
@@ -26,6 +26,7 @@ from vibcli.drawing.canvas.svg_canvas import MARGIN
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import lettering, plane
 from vibcli.drawing.layout.space import Space
+from vibcli.drawing.layout.strips import THICK
 from vibcli.drawing.symbols import arrow, support
 from vibcli.report.formats.html import READABLE
 
@@ -41,7 +42,7 @@ def test_words_and_arrows_of_problems_and_examples_touch_nothing(monkeypatch):
     assert len(figures) > 300
     found = {name: told for name, figure in figures.items() if (told := touching(figure))}
     assert len(found) <= MOST * len(paths), found
-    for check in (crossed, measured, struck, grounded):
+    for check in (crossed, measured, struck, grounded, begun):
         assert not {name: told for name, figure in figures.items() for told in [check(figure)] if told}
 
 
@@ -106,6 +107,7 @@ def test_a_spring_lies_above_the_floor_on_which_a_ladder_slides():
     assert grounded(drawn) == [] and [1 for part in drawn if isinstance(part, Hatch) and part.layer == SURFACE]
 
 
+@pytest.mark.sweep
 def test_a_bed_is_open_where_springs_lead_through_it():
     drawn = kept_drawing_of(ROOT / "vibcli/examples/beams.yaml")
     small = [part for part in drawn if isinstance(part, Polyline) and part.role == "spring" and part.width < 1.0]
@@ -181,11 +183,38 @@ def test_arcs_of_a_joint_meet_no_arrow():
 
 
 def test_arcs_begin_at_no_spring_that_is_wound_about_a_rod():
+    """Nor between two of its coils, where it meets none of their strokes; near the joint there are none."""
     drawn = kept_drawing_of(ROOT / "vibcli/examples/bead_on_a_turning_rod.yaml")
-    springs = [part.points for part in drawn if part.role == "spring"]
-    arcs = [part.points for part in drawn
-            if isinstance(part, Polyline) and part.role == "driven" and len(part.points) > 2]
-    assert arcs and not [1 for arc in arcs for spring in springs if cross(arc, spring)]
+    arcs = [part for part in drawn if isinstance(part, Polyline) and part.role == "driven" and len(part.points) > 2]
+    spring, = [part.points for part in drawn if part.role == "spring"]
+    assert len(arcs) == 1 and begun(drawn) == []
+    middle = plane.middle(spring[6], spring[7])
+    assert begun([*drawn, arcs[0]._replace(points=(middle, *arcs[0].points))]) == ["driven"]
+
+
+def test_a_name_stands_in_the_middle_of_a_body_through_which_a_rod_leads_behind_it():
+    drawn = kept_drawing_of(ROOT / "vibcli/examples/bead_on_a_turning_rod.yaml")
+    bead, = [part for part in drawn if isinstance(part, Polygon) and part.fill == "body" and len(part.points) == 4]
+    name, = [part.box for part in drawn if isinstance(part, LetterRuns) and _text(part) == "m"]
+    assert plane.distance(plane.middle(name[:2], name[2:]), plane.middle(*plane.corners(bead.points))) < 1.0
+    assert touching(drawn) == []
+    before = [part._replace(layer=ARROW) for part in drawn if part.layer < bead.layer]
+    assert ("m", "ink") in touching([*drawn, *before])
+
+
+def test_a_corner_of_a_frame_is_no_thicker_than_its_members():
+    drawn = kept_drawing_of(ROOT / "problems/8_continuous/portal_frame.yaml")
+    boxes = [plane.bounds(part.points) for part in drawn if isinstance(part, Polygon) and part.fill == "body"]
+    assert len(boxes) == 5 and max(min(right - left, top - low) for left, low, right, top in boxes) < 2 * THICK + 1e-6
+
+
+def test_the_head_of_an_arc_touches_no_tick_of_another_arrow():
+    drawn = kept_drawing_of(ROOT / "problems/6_two_degrees/unround_shaft.yaml")
+    head, = [part.strokes()[0] for part in drawn if isinstance(part, Polygon) and part.role == "driven"]
+    marks = [stroke for part in drawn if part.role == "coordinate" and not isinstance(part, LetterRuns)
+             for stroke in part.strokes()]
+    assert marks and not [1 for mark in marks if cross(head, mark)]
+    assert min(plane.distance(a, b) for a in head for mark in marks for b in mark) > 3.0
 
 
 def test_leaders_of_two_lengths_lie_on_one_another_and_the_longer_stands_outside():
@@ -304,6 +333,7 @@ def test_lengths_beside_each_other_are_read_at_their_own_lines():
     assert boxes["L"][2] < outer < boxes["a"][0] and boxes["a"][2] < inner
 
 
+@pytest.mark.sweep
 def test_a_name_stands_in_no_way_of_a_length():
     """The line from the place of what is attached at L₁/2 reaches the beam: the name of the beam is elsewhere."""
     legs = [part for part in kept_drawing_of(ROOT / "vibcli/examples/beams.yaml")
@@ -344,6 +374,7 @@ def test_the_name_of_a_damper_stands_beside_it_above_that_of_the_support_that_mo
     assert min(heights) < words["c"][1] < words["c"][3] < max(heights) and words["wheel"][3] < words["c"][1]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", ["1_statics_and_energy/toggle_press", "3_free_undamped/drum_on_a_slope_with_a_cord"])
 def test_names_keep_clear_of_pins_and_bearings(path, monkeypatch):
     monkeypatch.setattr(overlaps, "CLOSE", 2.0)

@@ -235,6 +235,7 @@ def test_a_motion_without_bodies_is_refused():
     assert "--plot" in refused.value.hint
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", ["gif", "svg"])
 def test_it_is_told_how_far_the_frames_are(kind):
     given, told = problem_of(ROOT / SPRING), []

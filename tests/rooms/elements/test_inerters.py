@@ -93,6 +93,7 @@ inerters: {{i: {{b: b, between: [wall, p]}}}}
     assert value(found, "amplitude(i.force)") == pytest.approx(b * Omega**2 * abs(X - h), rel=1e-10)
 
 
+@pytest.mark.sweep
 def test_a_swinging_end_is_that_of_lagrange():
     """A pendulum with an inerter from its bob to a wall: the full equation of motion against SymPy's."""
     found = problem(HEAD + """

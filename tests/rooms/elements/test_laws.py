@@ -171,6 +171,7 @@ def test_two_blocks_with_friction_move_together_until_the_upper_slips():
     assert wild.balance.error < 1e-13
 
 
+@pytest.mark.sweep
 def test_a_stop_with_clearance_gives_half_a_sine():
     scene = problem("parameters: {m: 1 kg, k: 1e4 N/m, gap: 0.5 m}\n" + BLOCK
                     + "springs: {s: {k: k, gap: gap, between: [ground, b]}}\n")

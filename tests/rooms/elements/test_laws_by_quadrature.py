@@ -51,6 +51,7 @@ def test_bends_within_bends_are_integrated_in_closed_form(written):
         assert evaluate([force], Floats, values)[0] == pytest.approx(evaluate([law], Floats, values)[0], abs=1e-14)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("written", SMOOTH)
 def test_energies_by_quadrature_are_right_within_their_bounds(written):
     x, law = law_of(written)
@@ -94,6 +95,7 @@ motion: full
 """
 
 
+@pytest.mark.sweep
 def test_the_period_of_a_law_without_a_rule_is_that_of_quadrature():
     """F = k d e^(−|d|/a): V = k a² (1 − (1 + u) e^(−u)), u = |d|/a."""
     model = vibcli.loads(SCENE.replace("LAW", "k*d*exp(-abs(d)/a)"))

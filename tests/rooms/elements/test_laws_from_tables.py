@@ -35,6 +35,7 @@ def test_a_block_rests_and_vibrates_where_the_cubics_say():
     assert model["omega[1]"].value == pytest.approx(math.sqrt(FORCE(x, 1) / 2), rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_the_period_splits_at_the_points():
     model = _model(POINTS, "initial: {x: 3 mm}\nmotion: full")
     E = ENERGY(3e-3)
@@ -53,6 +54,7 @@ def test_the_period_splits_at_the_points():
     assert model[f"x({period.value!r} s)"].value == pytest.approx(3e-3, rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_a_damper_from_a_table_loses_what_it_says():
     law = "{table: [[-0.5 m/s, -9 N], [0, 0], [0.1 m/s, 2 N], [0.5 m/s, 4 N]], beyond: linear}"
     model = _model("800 N/m*d", f"dampers: {{c: {{law: {law}, between: [ground, block]}}}}\n"

@@ -63,6 +63,7 @@ def test_a_hanging_mast_under_a_load_on_a_part_of_it():
     assert model["equilibrium[mast.moment(0 m)]"].value == pytest.approx(EI * u[0.0][2], rel=1e-10)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("load", "q", "k"), [("q0*x/H", lambda x, _: 500 * x / H, 0.0), (
     "q0*x/H", lambda x, _: 500 * x / H, 2e3), ("q0", lambda x, _: 500.0, 2e3)])
 def test_diagrams_of_a_mast_on_a_bed_in_the_wind(load, q, k):

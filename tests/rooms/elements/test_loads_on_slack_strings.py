@@ -60,5 +60,6 @@ def test_what_it_hangs_on_bears_the_whole_load():
     assert at_rest(p, "c.u(2 m)") == pytest.approx(LOAD * LENGTH * (1 / 100 + 1 / GRADIENT), rel=1e-14)
 
 
+@pytest.mark.sweep
 def test_frequencies_do_not_feel_it():
     assert chain()["omega[1]"].value == pytest.approx(2.404825557695773 / 2 * math.sqrt(9.81 / 2), rel=1e-14)

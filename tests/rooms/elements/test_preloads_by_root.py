@@ -53,6 +53,7 @@ def test_a_preload_shifts_a_law_along_its_branch(written):
     assert model["sensitivity[1, N]"].value == pytest.approx(float(by_N), rel=1e-10)
 
 
+@pytest.mark.sweep
 def test_a_preload_is_chosen_and_set_to_other_numbers():
     text = _scene("k*d + f*tanh(d/a)")
     law = LAWS["k*d + f*tanh(d/a)"]

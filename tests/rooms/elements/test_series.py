@@ -56,6 +56,7 @@ def test_inner_equilibrium_and_its_stiffness():
     assert model.omega[0] == pytest.approx(np.sqrt(stiffness / 2), rel=1e-14)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["k1", "k2", "g"])
 def test_sensitivities_against_differences(name):
     model = scene(HARDENING, forces={"load": {"at": "block", "force": "P"}})
@@ -188,6 +189,7 @@ def _let_go(parts, place, **values):
 SOFTENING = [{"k": "k1"}, {"law": "k2*d - g*d^3"}]
 
 
+@pytest.mark.sweep
 def test_a_softening_part():
     model = _let_go(SOFTENING, "5 cm", g="5e4 N/m^3")
     with mpmath.workdps(25):
@@ -209,6 +211,7 @@ def test_a_softening_part():
     assert model["law[s, d^3]"].value == pytest.approx(-5e4 * 0.6**4, rel=1e-13)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("asked", ["law[s](7 cm)", "period(x)", "x(0.1 s)"])
 def test_a_snap_is_told(asked):
     """It snaps where 300 = 3·5e4 d² − 200: d = 1/√300, F = 200 d − 5e4 d³, D = d + F/300."""
@@ -219,6 +222,7 @@ def test_a_snap_is_told(asked):
         _ = _let_go(SOFTENING, "7 cm", g="5e4 N/m^3")[asked].value
 
 
+@pytest.mark.sweep
 def test_a_snap_to_another_inner_equilibrium():
     """A cubic and a softening part: beyond the snap the other branch goes back to D = 0.05 m, where d = 0.0365…"""
     model = _let_go([{"law": "b*d^3"}, {"law": "k2*d - g*d^3"}], "2 cm", g="5e4 N/m^3", b="4e5 N/m^3")
@@ -256,6 +260,7 @@ def test_a_part_with_play():
     assert model["s.stretch.2(0 s)"].value == pytest.approx(0.05 - 0.04 * 120 / 300, rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_a_part_of_one_side():
     model = _let_go([{"k": "k1"}, {"law": "k2*max(d, 0)"}], "5 cm")
     assert model["law[s](3 cm)"].value == pytest.approx(3.6, rel=1e-13)
@@ -273,6 +278,7 @@ def test_what_is_open_between_parts(second, third, told):
         _ = _let_go([{"k": "k1"}, {"law": second}, {"law": third}], "1 cm", g="5e4 N/m^3")["law[s](1 cm)"].value
 
 
+@pytest.mark.sweep
 def test_the_error_of_the_series_where_the_motion_starts(tmp_path, capsys):
     """F = k x/2 + … of two springs k and k d + g d³: the force by a root beside its terms to d³."""
     path = tmp_path / "scene.yaml"

@@ -43,6 +43,7 @@ def test_random_frames_have_the_frequencies_of_finite_elements(seed):
     assert ratio[: len(ratio) // 2].max() < 1 + 1e-3
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("left", ALONG)
 @pytest.mark.parametrize("right", ALONG)
 def test_frequencies_of_one_beam_are_those_of_a_bar_and_those_of_a_beam(left, right):
@@ -126,6 +127,7 @@ def test_motions_of_one_beam_are_those_of_a_bar_and_those_of_a_beam():
         assert motion(both, name) == pytest.approx(expected, abs=1e-3 * max(abs(expected)))
 
 
+@pytest.mark.sweep
 def test_a_joint_on_a_beam_is_a_body_without_mass():
     usual = "EI: 300 N*m^2, EA: 30 kN, mass_per_length: 1 kg/m"
     bed, hung = "foundation: 900 N/m^2", "attached: [{at: 0.5 m, oscillator: {mass: 0.2 kg, k: 300 N/m}}]"

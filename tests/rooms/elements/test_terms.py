@@ -51,6 +51,7 @@ def test_a_force_is_the_slope_of_the_potential_and_takes_or_gives_what_is_stored
     assert seen == {("Spring", True), ("Damper", False), ("Law", True), ("Law", False)}
 
 
+@pytest.mark.sweep
 def test_a_scene_knows_the_terms_of_each_element():
     for scene, terms in connected():
         for term in terms:

@@ -80,6 +80,7 @@ def errors(text, name, until, feature, exact):
     return list(found.values())
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("more", "rest", "name", "exact"), [
     ("", FIELD, "bridge.u(1.5 m)", turned(0.07) / 1000),
     ("", FIELD, "bridge.moment(1.5 m)", -40 * turned(0.07) * (math.pi / 3) ** 2),

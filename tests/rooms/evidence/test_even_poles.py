@@ -2,6 +2,7 @@
 
 import mpmath
 import numpy as np
+import pytest
 
 from vibcli.evidence.reference.even_poles import even_poles
 
@@ -20,6 +21,7 @@ class Residues:
         return self._one(mpmath.nint(mpmath.sqrt(abs(near) / 2) / mpmath.pi))
 
 
+@pytest.mark.sweep
 def test_every_other_one_is_alike():
     with mpmath.workdps(60):
         found = even_poles(Residues())

@@ -120,6 +120,7 @@ answers:
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("force", "kept", "exponents"), [
     ("2*f(t - 0.5 s)", (26, 60), (-13, -6)), ("3 N*cos(7 rad/s*t)", (100, 100), (-2, -2)),
     ("0 N", (100, 100), (-13, -13))])

@@ -95,6 +95,7 @@ def test_it_rests_and_swings_as_before():
         "mirrored: rest": 4, "mirrored: modes": 8, "mirrored: answers": 4}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("scene", "forgotten"), [
     (SCENE, "load"), (SCENE, "start"), (SCENE, "body"), (SCENE, "connection"),
     (TIED, "expression"), (TIED, "_guide"), (TIED, "surface"),

@@ -51,6 +51,7 @@ def test_a_bound_ten_times_too_small_is_found_by_a_family(name, knob, monkeypatc
     assert point.measured(family(name), knob).verdict == point.BROKEN
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["5_forced/press_with_two_blows", "8_continuous/mast_on_a_cart",
                                   "9_equivalents_and_corrections/particle_that_sags_between_oblique_duffing_springs"])
 def test_an_answer_off_by_a_unit_of_its_last_digit_differs(name):

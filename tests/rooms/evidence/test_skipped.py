@@ -51,11 +51,13 @@ def test_both_tables_are_told(found):
     assert skipped.data(found)["check"]["stages"] is None
 
 
+@pytest.mark.sweep
 def test_a_question_that_fails_is_told():
     with pytest.raises(RuntimeError, match="leaves with 2"):
         skipped.taken("solve", "no such file.yaml")
 
 
+@pytest.mark.sweep
 def test_a_question_that_a_scene_refuses_is_told_and_a_wrong_answer_is_an_answer(tmp_path):
     path = tmp_path / "wrong.yaml"
     path.write_text("bodies: {a: {mass: 1 kg, slide: x}}\nsprings: {s: {law: (4 N/m^3)*d^3, between: [ground, a]}}\n"
@@ -80,6 +82,7 @@ def test_what_is_skipped_would_have_a_cost():
         "not measured: of members and of more than 3 coordinates they may take minutes")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("scene", [
     "beams: {b: {length: L, EI: 20 N*m^2, mass_per_length: 1 kg/m, left: clamped}}",
     "beams: {b: {length: L, EI: 20 N*m^2, mass_per_length: 1 kg/m, left: clamped, right: {clamped: a}}}\n"

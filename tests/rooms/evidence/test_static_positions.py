@@ -66,6 +66,7 @@ def asked(text):
     return one, [answer.asked.tree for answer in one.spec.answers]
 
 
+@pytest.mark.sweep
 def test_true_positions_beside_closed_forms():
     one, trees = asked(HUNG)
     found = [at_rest(one, tree) for tree in trees]
@@ -82,6 +83,7 @@ def test_true_positions_beside_closed_forms():
     assert {one.kind for one in subjects(one, [answer.asked for answer in one.spec.answers])} == {"static position"}
 
 
+@pytest.mark.sweep
 def test_a_closed_loop_beside_the_balance_of_its_energy():
     """V = 2 m g a√2 sin(β)/2 + k s²/2 with both rods at β to the level and the block at 2 a√2 cos β."""
     one, (phi, *forces) = asked(LOOP)
@@ -109,6 +111,7 @@ def test_reactions_beside_their_balance(text, balanced):
         assert min(found.error(run.run(Deadline(60)).values, found.true) for run in others) < 1e-11
 
 
+@pytest.mark.sweep
 def test_static_preloads_of_closed_loops_hold_the_drawn_position():
     one, _ = in_numbers(problem_of(file_source(str(PROBLEMS / "3_free_undamped" / "governor_linkage_at_rest.yaml"))))
     tree = next(part for answer in one.spec.answers for part in answer.asked.parts.quantities
@@ -116,6 +119,7 @@ def test_static_preloads_of_closed_loops_hold_the_drawn_position():
     assert abs(at_rest(one, tree).true.values[0]) < 1e-45
 
 
+@pytest.mark.sweep
 def test_what_is_known_of_a_scene_that_is_locked():
     one, _ = asked(LOCKED)
     found = evidence(one, [], 1, 0.1)

@@ -41,6 +41,7 @@ def test_all_families_are_held_and_few_bounds_are_idle(monkeypatch):
     assert counts["idle"] <= 0.05 * total and counts[ESCALATED] >= 50
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("name", "knob", "least"), [
     ("stiffness_ratio", "1e16", 0.1), ("damping_ratio", "1e8", 0.1), ("buckling", "1e-14", 1e-3),
     ("detuning", "1e-12", 1e-6), ("gyroscopic", "1e8", 1e-3), ("double_eigenvalue", "0", 1e-10)])
@@ -109,6 +110,7 @@ def test_a_scene_that_is_shaken_keeps_every_bit_of_its_modes():
     assert [one.verdict for one in found] == [shaken.EQUAL] * 7 and {one.compared for one in found} == {4}
 
 
+@pytest.mark.sweep
 def test_of_many_coordinates_they_stay_within_their_bounds():
     found = list(shaken.shaken(scene_problem(family("many_coordinates").scene("50"))[0]))
     assert [one.verdict for one in found[:4]] == [shaken.EQUAL] * 4

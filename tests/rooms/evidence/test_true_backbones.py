@@ -1,6 +1,7 @@
 """Frequencies of free motions by their amplitude beside elliptic integrals, and followed in time."""
 
 import mpmath
+import pytest
 from support.scenes import problem
 
 from vibcli.evidence.asked import subjects
@@ -32,6 +33,7 @@ def duffing(A):
     return mpmath.pi * mpmath.sqrt(square) / (2 * mpmath.ellipk(225 * A**2 / square))
 
 
+@pytest.mark.sweep
 def test_frequencies_beside_elliptic_integrals():
     with mpmath.workdps(50):
         by_force = mpmath.findroot(lambda A: 50 * A + 900 * A**3 - 10, mpmath.mpf("0.15"))
@@ -45,6 +47,7 @@ def test_frequencies_beside_elliptic_integrals():
     assert each.error(run.run(Deadline(2)).values, each.true) < 1e-7
 
 
+@pytest.mark.sweep
 def test_a_period_that_is_off_is_found(monkeypatch):
     periods = free_motions.periods_of
     monkeypatch.setattr(free_motions, "periods_of", lambda *args: [

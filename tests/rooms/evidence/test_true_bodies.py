@@ -57,6 +57,7 @@ def found(text):
     return list(subjects(one, [answer.asked for answer in one.spec.answers]))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "exact"), [(ROUND, round_ones), (PIERCED, pierced)])
 def test_moments_beside_closed_forms_and_by_cells(text, exact):
     with mpmath.workdps(60):
@@ -71,6 +72,7 @@ def test_moments_beside_closed_forms_and_by_cells(text, exact):
                 assert each.error(runs["cells", "30"].run(Deadline(1)).values, each.true) < 2e-3
 
 
+@pytest.mark.sweep
 def test_a_shape_that_is_off_is_found(monkeypatch):
     for name in ("ellipse", "sector"):
         law = shapes.LAWS[name]

@@ -38,6 +38,7 @@ choose: {M: equilibrium}
 answers: {M: 1 kg}
 """
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "exact"), [
     (SWING % ("", "k: 'omega_d[1] = 12 rad/s', c: 'zeta[1] = 0.6'", "k: 1 N/m, c: 1 N*s/m"),
      lambda m: [m * 225, m * 18]),
@@ -79,6 +80,7 @@ def test_what_conditions_only_touch_is_none():
         determined(lambda p: Residual([(p[0] - 1) ** 2], [mpmath.mpf(10) ** -47]), [1 + 1e-9])
 
 
+@pytest.mark.sweep
 def test_a_condition_on_what_has_no_reference_is_told():
     one, _ = in_numbers(problem(SWING % (", k: 90 N/m", "c: 'decrement[1] = 0.5'", "c: 1 N*s/m")))
     found, = subjects(one, [answer.asked for answer in one.spec.answers], False)

@@ -98,6 +98,7 @@ CLOSED = [(SAGGING, sagging), (ALIKE, lambda: [0, mpmath.mpf("0.1")]), (TURNING,
           (SWINGING, lambda: [-1]), (HELD, held), (CHAIN, chain)]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "exact"), CLOSED)
 def test_numbers_beside_closed_forms(text, exact):
     with mpmath.workdps(50):

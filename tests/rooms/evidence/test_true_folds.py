@@ -51,6 +51,7 @@ def found(text):
     return list(subjects(one, [answer.asked for answer in one.spec.answers]))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "exact"), [(ARMATURE, armature), (TOGGLE, toggle)])
 def test_folds_beside_closed_forms_and_by_roots(text, exact):
     for i, each in enumerate(found(text)):
@@ -59,6 +60,7 @@ def test_folds_beside_closed_forms_and_by_roots(text, exact):
         assert min(each.error(run.run(Deadline(2)).values, each.true) for run in runs) < 1e-9
 
 
+@pytest.mark.sweep
 def test_a_fold_that_is_off_is_found(monkeypatch):
     counted = limit_loads.LimitLoads.limit_point
     monkeypatch.setattr(limit_loads.LimitLoads, "limit_point", lambda self, number: counted(self, number)._replace(

@@ -24,6 +24,7 @@ def found(motion, answers):
     return list(subjects(one, [answer.asked for answer in one.spec.answers]))
 
 
+@pytest.mark.sweep
 def test_behind_what_moves_on():
     """Behind u = v t it stays by c v/k; behind u = a t²/2 by (c a t + m a)/k − c² a/k²."""
     at_speed = found("(3 m/s)*t", "final(cart.x - x): 1 m, final(x'): 1 m/s, steady(x)(0 s): 1 m, "

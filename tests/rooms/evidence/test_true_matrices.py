@@ -67,6 +67,7 @@ def test_entries_beside_closed_forms(text, exact):
             assert each.kind == "matrix entry"
 
 
+@pytest.mark.sweep
 def test_entries_by_numbers_alone():
     one = found(CART)
     for each in one:

@@ -22,6 +22,7 @@ LET_GO = "forces: {pull: {at: end, force: 500 N}}\ninitial: {released: pull}"
 PUSHED = "forces: {pull: {at: end, force: (500 N)*sin((300 rad/s)*t)}}"
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("more", "rest", "quantity", "exact"), [
     ("", LET_GO, "rod.force(0 m)(3 ms)", lambda: -500),
     ("", LET_GO, "rod.force(0 m)(1 ms)", lambda: 500),
@@ -56,6 +57,7 @@ def test_no_turn_is_looked_for_where_rounding_alone_is_left(digits):
         assert all(abs(x - y) < 1e-40 for x, y in zip(found, (2 * unit, 2 * unit**2), strict=False))
 
 
+@pytest.mark.sweep
 def test_fronts_are_found_once_for_an_extreme_and_its_instant(monkeypatch):
     calls, found = [], member_fronts.in_fronts
     monkeypatch.setattr(member_fronts, "in_fronts", lambda *given: calls.append(given) or found(*given))

@@ -43,6 +43,7 @@ def turned(t, zeta=0):
     return mpmath.exp(-rate * t) * (mpmath.cos(slow * t) + rate / slow * mpmath.sin(slow * t))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("more", "rest", "quantity", "exact"), [
     ("", FIELD, "bridge.u(1.5 m)(0 s)", lambda: mpmath.mpf("0.001")),
     ("", FIELD, "bridge.u(1.5 m)(70 ms)", lambda: turned(mpmath.mpf("0.07")) / 1000),
@@ -58,6 +59,7 @@ def test_beside_closed_forms(monkeypatch, more, rest, quantity, exact):
     assert_true(of_member_motion(one, one.spec.answers[0].asked.tree), exact, 20, 1e-9)
 
 
+@pytest.mark.sweep
 def test_after_a_step(monkeypatch):
     """After half a period every mode stands at twice where it rests: so does the beam, 2 F L³/48 EI. Of a few poles as
     many digits are true as are stated."""
@@ -72,6 +74,7 @@ def test_after_a_step(monkeypatch):
         assert 4 <= true.digits <= 7 and abs(true.values[0] / exact - 1) <= mpmath.mpf(10) ** -true.digits
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("damping", "zeta"), [
     ("modal: 2 %", lambda n: mpmath.mpf(2) / 100), ("modal: [1 %, 2 %]", lambda n: mpmath.mpf(2 if n > 1 else 1) / 100),
     ("proportional: [3 s^-1, 2e-5 s]", lambda n: 3 / (2 * omega(n)) + mpmath.mpf(10)**-5 * omega(n))])
@@ -97,6 +100,7 @@ def omega(n):
     return (n * mpmath.pi / 3) ** 2 * mpmath.sqrt(mpmath.mpf(40000) / 12)
 
 
+@pytest.mark.sweep
 def test_on_a_foundation_no_wave_runs_below_the_cut_off():
     """ω² = k/μ, from which on the search for poles begins."""
     search = member_poles.PoleSearch(started_members(

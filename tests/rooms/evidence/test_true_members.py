@@ -131,6 +131,7 @@ shafts:
         assert near(found(text, 2), [(mpmath.pi / 4) ** 2 * 3 / 5, mpmath.mpf(2) / 5])
 
 
+@pytest.mark.sweep
 def test_damped_modes_of_a_bar_with_a_damper_at_its_end():
     """tanh λL/a = −√(EA μ)/c, and a frequency response at the frequency without it, at which it is √(EA μ)/c real."""
     one = problem_of(text_source(PUSHED % (", right: {c: 4 N*s/m}", AT_END)))

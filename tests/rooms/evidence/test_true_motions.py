@@ -39,6 +39,7 @@ def close(found, exact, digits=38):
     return abs(found - exact) <= mpmath.mpf(10) ** -digits * abs(exact)
 
 
+@pytest.mark.sweep
 def test_a_free_motion_and_where_it_turns():
     problem = oscillator("initial: {x: 25 cm, x': 1 m/s}")
     moving = motion.small(problem)
@@ -74,6 +75,7 @@ def test_a_motion_from_where_a_force_lets_go():
         assert close(start, mpmath.asin(3 / mpmath.mpf("9.81")), 55)
 
 
+@pytest.mark.sweep
 def test_the_zeros_of_a_free_motion():
     """x = e^{−t} (cos √24 t + sin √24 t/√24)/4, whose rate begins at zero."""
     problem = oscillator("initial: {x: 25 cm}")
@@ -94,6 +96,7 @@ def test_the_zeros_of_a_free_motion():
         motion.zeros(moving, place, Fraction(2), 4, problem.work)
 
 
+@pytest.mark.sweep
 def test_the_period_of_a_wide_swing():
     """4 K(sin ½) √(L/g), the elliptic integral; by Taylor's series, as an integrator has it, and ours."""
     problem = problem_of(text_source(PENDULUM + "answers: {period(p): 2 s, period(2*p): 2 s}\n"))
@@ -108,6 +111,7 @@ def test_the_period_of_a_wide_swing():
     assert isinstance(next(subjects(problem, [double])), NotCompared)
 
 
+@pytest.mark.sweep
 def test_expanded_equations_are_themselves_followed():
     """p̈ = −(g/L)(p − p³/6) from p = 1: p̈ starts at −5/6 g/L, T = 4 ∫ dp/√(2 (V(1) − V(p)))."""
     text = PENDULUM.replace("motion: full", "motion: {order: 3}\nfind: [{response: {until: 1 s}}]")
@@ -149,6 +153,7 @@ def test_a_load_that_begins_and_ends():
         assert close(found.values[0], step(mpmath.mpf(12) / 10) - step(mpmath.mpf(8) / 10))
 
 
+@pytest.mark.sweep
 def test_a_pendulum_by_elliptic_functions():
     problem = problem_of(text_source(PENDULUM))
     swinging = motion.full(problem)
@@ -158,6 +163,7 @@ def test_a_pendulum_by_elliptic_functions():
         assert close(found.values[0], 2 * mpmath.asin(k * mpmath.ellipfun("cd", w * mpmath.mpf(7) / 3, m=k * k)), 30)
 
 
+@pytest.mark.sweep
 def test_a_friction_that_turns_about_where_a_step_before_shows_nothing_of_it():
     """v̇ = −a tanh(v/u): sinh(v/u) falls as exp(−a t/u)."""
     problem = problem_of(text_source("""
@@ -200,6 +206,7 @@ def test_a_frequency_response_its_peak_and_its_steady_state():
         frequency_response.peak(problem, "x", "F", 2, True)
 
 
+@pytest.mark.sweep
 def test_antiresonances_of_what_nothing_damps_and_grids_that_see_them():
     """Of the first of two: Ω² = k/m of the second; the damped one beside it is where d|H|²/dΩ = 0."""
     text = ("bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 2 kg, slide: y}}\n"
@@ -227,6 +234,7 @@ def test_loads_of_several_frequencies_have_no_reference(force):
         steady_state.of_wave(steady_state.driven(moving), moving.coordinate("x"), "amplitude")
 
 
+@pytest.mark.sweep
 def test_harmonics_under_a_square_wave():
     """4F/(nπ)/|k − m(nΩ)² + inΩc| of odd ones; of |sin Ωt| the fundamental is another."""
     problem = oscillator("forces: {F: {at: b, force: 5 N*square(4 rad/s*t)}}\n"

@@ -64,6 +64,7 @@ def lines(record, later=0.0, factor=1.0):
     return [(0.0, 0.0, 0.0), *found] * bool(later) + found * (not later) + [(record[-1][0] + later, 0.0, 0.0)]
 
 
+@pytest.mark.sweep
 def test_a_force_as_it_was_measured(scene):
     problem = scene(RECORD, "forces: {F: {at: b, force: -2*f(t - 0.5 s)}}")
     moving = motion.small(problem)

@@ -1,6 +1,7 @@
 """What signals go beyond where they come to, beside a closed form."""
 
 import mpmath
+import pytest
 from support.references import assert_true
 from support.scenes import problem
 
@@ -24,6 +25,7 @@ def found():
     return next(iter(subjects(one, [answer.asked for answer in one.spec.answers])))
 
 
+@pytest.mark.sweep
 def test_an_overshoot_beside_its_closed_form_and_by_integrators():
     """exp(−πζ/√(1 − ζ²)) with ζ = 3/5."""
     each = found()
@@ -32,6 +34,7 @@ def test_an_overshoot_beside_its_closed_form_and_by_integrators():
     assert each.error(run.run(Deadline(2)).values, each.true) < 1e-5
 
 
+@pytest.mark.sweep
 def test_one_that_is_off_is_found(monkeypatch):
     limit = response._limit
 

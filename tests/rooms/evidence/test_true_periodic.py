@@ -48,6 +48,7 @@ def by_halves():
     return [mpmath.sqrt(square), along(mpmath.mpf("0.3"), 1)]
 
 
+@pytest.mark.sweep
 def test_under_a_square_wave():
     one = problem(ONE % SQUARE)
     found = list(subjects(one, [answer.asked for answer in one.spec.answers]))
@@ -60,6 +61,7 @@ def test_under_a_square_wave():
     assert found[1].error(plain.run(Deadline(60)).values, found[1].true) < 1e-6
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("head", ["rms(x'')", "mean(d.power)", "mean(x*F.force)", pytest.param(
     "mean(x'^4)", marks=pytest.mark.sweep)])
 def test_means_over_all_times(head):
@@ -137,6 +139,7 @@ def test_periods_where_forces_bend_or_jump(law, start, exact):
     assert subject.error(ours.values, subject.true) <= ours.bound <= 1e-11
 
 
+@pytest.mark.sweep
 def test_a_motion_that_loses_energy_or_goes_away_has_no_period():
     for law, why in (("k: 50 N/m, gap: 3 mm", "lose energy"), ("k: 50 N/m, acts: tension", "come back")):
         text = BENT % (law, "0 m") + "dampers: {d: {c: 1 N*s/m, between: [ground, a]}}\n" * (why == "lose energy")

@@ -84,6 +84,7 @@ def test_beats_by_the_frequencies_that_others_find():
         assert found.error(answer.values, found.true) <= (answer.bound or 1e-13)
 
 
+@pytest.mark.sweep
 def test_what_a_load_enters_itself_is_compared_where_all_is_linear():
     one, (tree,) = asked(ONE % ("(3 N)*sin((17 rad/s)*t)", "F.power(1 s): 1 W"))
     assert measure(one, tree)[0] == pytest.approx(float(of_motion(one, tree).true.values[0]), rel=1e-13)
@@ -93,6 +94,7 @@ def test_what_a_load_enters_itself_is_compared_where_all_is_linear():
         of_motion(one, tree)
 
 
+@pytest.mark.sweep
 def test_at_the_start_there_is_nothing_to_integrate():
     one, (tree,) = asked(ONE % ("(3 N)*cos((17 rad/s)*t)", "x''(0 s): 1 m/s^2"))
     subject = of_motion(one, tree)
@@ -134,6 +136,7 @@ def test_what_is_free_to_move_swings_about_no_place_of_its_own():
         steady_states.over_a_period(one, tree)
 
 
+@pytest.mark.sweep
 def test_what_is_read_of_a_steady_state():
     """x = X cos(Ωt + φ) about x₀: powers, products and forces over a period, and the lag of what a shaker drives."""
     one, trees = asked(ONE % ("(3 N)*sin((17 rad/s)*t)", "mean(x^2*x'^2): 1 m^4/s^2, mean(s.force*x'): 0, "
@@ -164,6 +167,7 @@ def test_a_beam_alone_has_the_receptance_of_its_closed_form():
         assert abs(true.values[0] / ((sine * cosh - cosine * sinh) / (EI * b**3 * (1 + cosine * cosh))) - 1) < 1e-44
 
 
+@pytest.mark.sweep
 def test_with_an_absorber_ours_is_within_its_bound_and_elements_come_near():
     one = problem(BEAM % (ABSORBER, ", \"frf[y', F](7 Hz)\": 1 m/N/s"))
     for subject in subjects(one, [answer.asked for answer in one.spec.answers]):
@@ -192,6 +196,7 @@ def test_members_that_lose_energy_in_their_material_are_left_out():
         member_responses.value(one, "arm.u(L)", "F", lambda: 40 * mpmath.pi)
 
 
+@pytest.mark.sweep
 def test_the_period_of_a_motion_is_none_of_a_mode():
     one = problem("parameters: {m: 2 kg, k: 100 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
                   "springs: {s: {law: 'k*d + (10 N/m^3)*d^3', between: [ground, b]}}\nmotion: full\n"
@@ -200,6 +205,7 @@ def test_the_period_of_a_motion_is_none_of_a_mode():
     assert (swing.asked, swing.kind) == ("period(x)", "full motion") and modes.kind == "modes"
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("when", "push"), [("t - 0.2 s", 1), ("2*t - 0.4 s", 0.5), ("t", 1)])
 def test_an_impulse_gives_a_velocity_and_no_other_method_is_asked(when, push):
     """x = J/(m ω_d) e^{−δ(t − t₀)} sin ω_d (t − t₀) about where it rests; down is positive, up is the impulse."""

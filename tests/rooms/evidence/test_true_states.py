@@ -1,6 +1,7 @@
 """Matrices and forces at an instant of a motion beside closed forms."""
 
 import mpmath
+import pytest
 from support.scenes import problem
 
 from vibcli.evidence.asked import NotCompared, subjects
@@ -24,6 +25,7 @@ def found():
     return list(subjects(one, [answer.asked for answer in one.spec.answers]))
 
 
+@pytest.mark.sweep
 def test_a_pendulum_on_a_cart():
     *one, damping = found()
     assert isinstance(damping, NotCompared) and "no reference is found of C" in damping.why
@@ -34,6 +36,7 @@ def test_a_pendulum_on_a_cart():
             assert each.error(answer.values, each.true) <= answer.bound < 1e-11
 
 
+@pytest.mark.sweep
 def test_a_force_that_is_off_is_found(monkeypatch):
     force = state_functions.force
     monkeypatch.setattr(state_functions, "force", lambda scene, i: force(scene, i) * (1 + 2.0**-36))

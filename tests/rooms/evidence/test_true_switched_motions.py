@@ -70,18 +70,21 @@ def close(values, exact, digits=28):
     return all(abs(x - y) <= mpmath.mpf(10) ** -digits for x, y in zip(values, exact, strict=True))
 
 
+@pytest.mark.sweep
 def test_dry_friction_takes_as_much_of_each_swing_and_holds_at_last():
     """x = ±R/k + A cos ωt, each half swing R/k = 8 cm about another place, from 50 to −34, 18 and −2 cm."""
     with mpmath.workdps(40):
         assert close(found(RUBBED), [3 * mpmath.pi / 5, mpmath.mpf("-0.02"), mpmath.mpf("0.5"), -2])
 
 
+@pytest.mark.sweep
 def test_what_sticks_gives_way_where_a_load_passes_what_it_holds():
     """From t = 2 s on, a = 2 t − 3: x = t³/3 − 3 t²/2 + 2 t − 2/3."""
     with mpmath.workdps(40):
         assert close(found(PUSHED), [0, mpmath.mpf(5) / 6, 2, 3])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("law", "T", "v"), [
     ("(4 N)*sign(d)", lambda: 4 * mpmath.sqrt(2 * mpmath.mpf("0.5") / 4), 2),
     ("(4 N/m)*d + (5 N/m)*max(d, 0 m)", lambda: mpmath.pi * (mpmath.mpf(1) / 3 + mpmath.mpf(1) / 2), mpmath.mpf("1.5")),
@@ -91,6 +94,7 @@ def test_springs_that_bend_and_jump(law, T, v):
         assert close(found(BENT % law), [T(), v])
 
 
+@pytest.mark.sweep
 def test_the_force_of_a_thread():
     """m g (3 − 2 cos α) at the lowest place, m g cos α at the start, sin α = 0.8."""
     with mpmath.workdps(40):
@@ -98,6 +102,7 @@ def test_the_force_of_a_thread():
         assert close(found(THREAD), [weight * mpmath.mpf("1.8"), weight * mpmath.mpf("0.6")])
 
 
+@pytest.mark.sweep
 def test_the_force_of_a_rope_and_where_it_would_push():
     """M (g − ÿ) of x = x₀ + A cos ωt, ω² = 10 s⁻², is largest where it turns first, after half a swing."""
     with mpmath.workdps(40):

@@ -53,6 +53,7 @@ def test_a_vibration_that_dies_out():
     assert by_mode.kind == "damped modes"
 
 
+@pytest.mark.sweep
 def test_beats_with_what_a_load_keeps_up():
     """x = X (sin Ωt − Ω/ω sin ωt), X = 3/19 m: the arrows of X and X Ω/ω are opposed after T/2, T = 2π s."""
     one = found(BEATING % OF_BEATS)

@@ -30,6 +30,7 @@ def shaken(scene):
     return {one.change: one for one in whole_scene.shaken_as_a_whole(problem, remade)}
 
 
+@pytest.mark.sweep
 def test_where_units_change_by_powers_of_two_every_bit_of_rest_and_modes_stays():
     found = shaken(CHAIN)
     assert {change: one.verdict for change, one in found.items() if one.verdict not in (EQUAL, WITHIN)} == {}
@@ -78,6 +79,7 @@ def test_what_is_chosen_by_the_name_of_a_spring_is_refused_where_that_is_two(mon
     assert one.verdict == REFUSED and "by name" in one.why
 
 
+@pytest.mark.sweep
 def test_a_rate_at_a_limit_of_stability_may_be_what_rounding_leaves(monkeypatch):
     """A rod upright on a torsion spring: m g L/2 = k."""
     found = shaken({"parameters": {"g": "9.81 m/s^2"}, "gravity": "g", "choose": {"k": "stability limit"},
@@ -125,6 +127,7 @@ def test_modal_masses_are_others_where_another_coordinate_is_the_first(monkeypat
     assert found["elements reordered: answers"].compared == 1 and BROKEN not in {one.verdict for one in found.values()}
 
 
+@pytest.mark.sweep
 def test_what_consists_of_parts_is_two_of_half_of_each_and_turns_beside_what_slides():
     """No length measures how far a block slides beside a disc that turns: its place is compared within its bound."""
     found = shaken({
@@ -207,6 +210,7 @@ def test_what_the_scene_written_otherwise_refuses_is_refused_with_its_reason_and
     assert {one.verdict for one in found.values()} == {REFUSED} and all(one.why for one in found.values())
 
 
+@pytest.mark.sweep
 def test_forces_of_supports_have_the_same_bits_in_all_units():
     """Slopes by lengths and by angles stand beside each other in the conditions of a step ladder."""
     base, _, remade = scene_read_again({

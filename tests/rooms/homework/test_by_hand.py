@@ -98,6 +98,7 @@ def given_on(page):
     return found
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", BY_HAND)
 def test_keys_reckoned_by_hand(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

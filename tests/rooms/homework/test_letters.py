@@ -138,12 +138,14 @@ def test_what_is_told_nowhere_in_letters():
     assert found.counts["told"] == 4 and "tells n" in found.advice
 
 
+@pytest.mark.sweep
 def test_what_is_not_found_in_letters_is_said():
     found = solved(ROD.replace('"omega[1]": , ', '"K[phi,phi]": , "equilibrium[phi]": , ').replace(
         "stretch: a*phi", "stretch: a*phi + a*phi^3 + a*sin(phi)^5 - 0.1*a"))
     assert not found.accepted and "letters" in found.advice
 
 
+@pytest.mark.sweep
 def test_two_ways_that_differ_are_a_fault(monkeypatch):
     right = FormulaKey.found
     monkeypatch.setattr(FormulaKey, "found", lambda self, problem: right(self, problem).replace("981", "982"))
@@ -166,6 +168,7 @@ def test_a_mistake_that_is_said_to_give_the_right_equation_is_a_fault(text, key,
         read_anew(document, found.keys, variant._replace(keys=tuple(keys)))
 
 
+@pytest.mark.sweep
 def test_a_scene_whose_letters_all_get_values_has_numbers():
     text = ROD.replace("m: , k: , a: ,", "m: 2 kg, k: , a: ,").replace(
         "n: [2, 3, 4, 5]", "k: [100 N/m, 200 N/m], a: [0.3 m, 0.4 m]").replace(", T: }", "}")
@@ -178,6 +181,7 @@ def test_a_scene_whose_letters_all_get_values_has_numbers():
         assert terms["phi"] / terms["phi''"] == pytest.approx(one.keys[0].value**2, rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_equations_with_numbers_by_their_coefficients():
     found = solved(BLOCK)
     assert len(found.accepted) == found.reread == 10
@@ -189,6 +193,7 @@ def test_equations_with_numbers_by_their_coefficients():
         assert {wrong.mistake for wrong in equation.wrong} == {"damper forgotten (d)"}
 
 
+@pytest.mark.sweep
 def test_a_mistaken_coefficient_asks_for_more_figures_or_rejects():
     near = BLOCK.rstrip() + "\n  mistakes: {heavy: {bodies: {block: {mass: 1.01*m}}}}\n"
     found = solved(near)
@@ -196,6 +201,7 @@ def test_a_mistaken_coefficient_asks_for_more_figures_or_rejects():
     assert solved(near.replace("1.01*m", "1.00001*m")).counts["apart"] == 10
 
 
+@pytest.mark.sweep
 def test_the_full_equation_and_one_that_coefficients_do_not_tell():
     text = BLOCK.replace("stretch: x}}\ndampers", "stretch: x + r*x^3}}\ndampers").replace(
         "F: 10 N", "F: 10 N, r: 2 m^-2").replace('"equation[x]": {points: 2}', '"motion[x]":').replace(
@@ -345,6 +351,7 @@ def test_sheets_tables_and_the_manifest_again(handed, tmp_path):
             assert (tmp_path / "again" / path.relative_to(out)).read_bytes() == path.read_bytes(), path
 
 
+@pytest.mark.sweep
 def test_a_sheet_that_tells_an_expression_is_not_written(handed):
     code, err, out = handed(ONE.replace("times as long.", "times as long. (ω = √((2943·m/100 + 2·k·a)/(6·m·a))?)"))
     assert code == 4 and "would tell the key" in err and not out.exists()

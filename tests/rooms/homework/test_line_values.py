@@ -102,6 +102,7 @@ def test_lines_follow_from_others_by_way_of_lines_without_numbers():
     assert known.number("J_O_upper") in known.uses[entry] and entry in known.uses[known.number("a2")]
 
 
+@pytest.mark.sweep
 def test_no_line_follows_from_a_force_at_rest_beside_the_balance_that_it_uses():
     """The moment of a preloaded spring stands in the line of ∂V/∂φ = 0, by which V has no terms of the first order."""
     known = LineValues(problem_named("feeder_tray_driven_by_a_sawtooth"))
@@ -110,6 +111,7 @@ def test_no_line_follows_from_a_force_at_rest_beside_the_balance_that_it_uses():
     assert inertia in known.uses[known.number("omega[1]")]
 
 
+@pytest.mark.sweep
 def test_what_follows_from_exact_entries_and_takes_few_values_is_off_by_what_these_are():
     """√(k₁/J₁) of three J₁, behind entries of M and K that four figures hold."""
     problem = problem_named("three_discs_on_fixed_shaft")

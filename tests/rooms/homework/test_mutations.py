@@ -109,10 +109,12 @@ def test_a_planted_fault_is_seen(fault, name, monkeypatch):
     fault(Scene(path), monkeypatch, random.Random(f"{name} {fault.__name__}"))
 
 
+@pytest.mark.sweep
 def test_nothing_is_seen_where_nothing_is_planted():
     assert Scene(WITH_VARIANTS[0]).solve().reread == FEW
 
 
+@pytest.mark.sweep
 def test_of_mistakes_that_change_the_scene_one_is_solved_where_its_turn_is(monkeypatch):
     """All where no turn is given, as for the variants of the gate."""
     from support.mutations import some_of

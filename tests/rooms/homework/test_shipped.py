@@ -88,6 +88,7 @@ def assert_students_pass(problem, found):
     assert not right or np.mean(right) >= 0.95
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", WITH_VARIANTS, ids=lambda path: path.stem)
 def test_a_band_is_the_99th_percentile_of_what_rounding_does(path):
     """Within a fifth, of 2,000 students with the candidates of a problem, of whom 98 of 100 pass; where the key's own
@@ -125,6 +126,7 @@ def assert_no_mistake_is_marked_right(found):
                 assert not any(is_within(answer, value.value, value.band.width) for answer in answers), wrong
 
 
+@pytest.mark.sweep
 def test_students_evaluate_lines_by_their_letters():
     """ω_d = √(ω² − δ²) and ζ = δ/ω of a bell crank, the roots of the determinant of a car; one who rounds nothing
     answers right."""
@@ -147,6 +149,7 @@ def test_sets(path):
     assert {Path(one.path).resolve() for one in found.problems} <= {one.resolve() for one in WITH_VARIANTS}
 
 
+@pytest.mark.sweep
 def test_what_a_search_finds_from_given_values_has_half_a_unit():
     """The angle of rest of a boom, and the mass factor of a cylinder: no line before them is rounded."""
     for stem, number in (("sagging_boom", 0), ("eccentric_cylinder", 1)):

@@ -35,6 +35,7 @@ def number(variant, name):
     return float(variant.values[name].exact)
 
 
+@pytest.mark.sweep
 def test_keys_are_those_of_closed_forms():
     found = solved(BLOCK + GRID + '  ask: {"omega_d[1]": rad/s, "period[1]": ms, "zeta[1]": }\n')
     assert len(found.accepted) == 15 and found.reread == 15 and not found.rejected
@@ -118,6 +119,7 @@ def test_what_is_told_nowhere():
     assert len(solved(hidden + GRID + "  without: [told]\n").accepted) == 15
 
 
+@pytest.mark.sweep
 def test_keys_that_cannot_be_read():
     small = solved(BLOCK + GRID + '  ask: {"K[x,x]": GN/m}\n')
     assert "write it in another unit" in reasons(small)["readable"]
@@ -133,6 +135,7 @@ def test_keys_that_cannot_be_read():
     assert reasons(solved(share))["readable"] == "zeta[1] is the given z"
 
 
+@pytest.mark.sweep
 def test_a_mistake_asks_for_more_figures_or_rejects():
     mistake = '  mistakes: {natural: {answers: {"omega_d[1]": "omega[1]"}}}\n'
     found = solved(BLOCK + GRID + mistake)
@@ -147,6 +150,7 @@ def test_a_mistake_asks_for_more_figures_or_rejects():
     assert fixed.counts["apart"] == 15
 
 
+@pytest.mark.sweep
 def test_a_mistake_of_the_model_is_solved_anew_and_one_that_drops_out_is_told():
     found = solved(BLOCK + GRID + "  mistakes:\n    two springs: {springs: {t: {k: k, stretch: x}}}\n"
                    "    no weight: {gravity: 9.81 m/s^2}\n")
@@ -159,6 +163,7 @@ def test_a_mistake_of_the_model_is_solved_anew_and_one_that_drops_out_is_told():
         assert "no weight" not in given
 
 
+@pytest.mark.sweep
 def test_a_key_that_is_zero_has_mistakes_that_are_not():
     """The first mode has no damper; held fast, its block leaves the damped one."""
     found = solved("""title: Two blocks
@@ -174,6 +179,7 @@ variants: {parameters: {m: [1 kg, 2 kg], k: [100 N/m, 150 N/m]}, ask: {"zeta[1]"
                for each in found.accepted)
 
 
+@pytest.mark.sweep
 def test_a_mistake_keeps_the_value_that_it_gives_to_what_is_varied():
     found = solved(BLOCK + GRID + "  mistakes: {always 800: {parameters: {k: 0.8 kN/m}}}\n")
     for one in found.accepted:
@@ -184,6 +190,7 @@ def test_a_mistake_keeps_the_value_that_it_gives_to_what_is_varied():
         solved(BLOCK + GRID + "  mistakes: {as m: {parameters: {k: m*100 s^-2}}}\n")
 
 
+@pytest.mark.sweep
 def test_a_mistake_that_gives_nothing_in_any_variant_is_told_with_its_reason():
     found = solved(BLOCK + GRID + "  mistakes:\n    pushed: {springs: {s: {k: -k, stretch: x}}}\n"
                    "    stiffer: {springs: {s: {k: 2*k, stretch: x}}}\n")
@@ -227,6 +234,7 @@ def test_a_chosen_parameter_that_is_asked_is_not_rounded():
         [0.2 * sqrt(number(one, "k") * number(one, "m")) for one in found.accepted], rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_a_scene_in_letters_becomes_one_with_numbers():
     text = BLOCK.replace("k: 800 N/m", "k: ").replace('"omega_d[1]": 19.90 rad/s', '"omega[1]": sqrt(k/m)')
     found = solved(text + GRID)
@@ -249,6 +257,7 @@ def test_a_case_has_variants_of_its_own():
     assert problem_of(text_source(text)).case("bare").spec.get("variants") is None
 
 
+@pytest.mark.sweep
 def test_a_sample_is_the_same_everywhere():
     rules = problem_of(text_source(BLOCK + GRID + "  sample: 5\n")).spec.get("variants")
     assert sampled(rules) == SAMPLE
@@ -326,6 +335,7 @@ def test_a_closed_form_that_differs_is_a_fault(monkeypatch):
         solved(BLOCK + GRID)
 
 
+@pytest.mark.sweep
 def test_where_the_form_of_another_variant_does_not_agree_its_own_is_found_to_more_digits(monkeypatch):
     from vibcli.homework import routes
 

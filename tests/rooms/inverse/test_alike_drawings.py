@@ -53,6 +53,7 @@ def drawn(monkeypatch):
     return found
 
 
+@pytest.mark.sweep
 def test_scenes_on_either_side_of_a_turn_are_those_drawn_anew(drawn):
     read = problem(ROLLER)
     drawings, tried = AlikeDrawings(read), 0

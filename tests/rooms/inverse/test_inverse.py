@@ -169,6 +169,7 @@ def test_an_equation_between_parameters():
 # several solutions, poles, jumps, double roots
 
 
+@pytest.mark.sweep
 def test_all_solutions_are_found_ascending():
     found = settled(problem(scene(CARS, TWO.replace("m2: 1 kg, ", ""), "m2: omega[2] = 3*omega[1]")))
     one, two = values(found, "m2")
@@ -181,6 +182,7 @@ def test_all_solutions_are_found_ascending():
     assert found.choice.value("m2", 2) == two
 
 
+@pytest.mark.sweep
 def test_the_admissible_range_takes_the_one_asked_for():
     text = scene(CARS, TWO.replace("m2: 1 kg, ", ""), "m2: {{so: 'omega[2] = 3*omega[1]', from: 1 kg}}".format())
     assert len(values(settled(problem(text)), "m2")) == 1
@@ -218,6 +220,7 @@ def test_a_double_root_is_found_once(route, monkeypatch):
     assert "no value of k" in refused(near)
 
 
+@pytest.mark.sweep
 def test_a_double_root_at_a_minimum_of_a_quantity():
     """k₁ = 900, k₂ = 400: the ratio ω₂/ω₁ is least at m₂ = k₂ m₁/(k₁ + k₂), 2.0000…, and is reached there alone."""
     best = 400 * 2 / 1300
@@ -230,6 +233,7 @@ def test_a_double_root_at_a_minimum_of_a_quantity():
     assert "is larger than" in refused(text.replace(repr(least), repr(0.999 * least)))
 
 
+@pytest.mark.sweep
 def test_a_root_of_a_quantity_that_only_nears_its_limit_is_none():
     """ω₁ tends to √(k₁/m₁) as m₂ vanishes, without reaching it."""
     text = scene(CARS, TWO.replace("m2: 1 kg, ", ""), "m2: omega[1] = sqrt(k1/m1)")
@@ -277,6 +281,7 @@ def test_a_spring_and_a_damper():
     assert values(found, "k") == [800.0] and values(found, "c") == [64.0]
 
 
+@pytest.mark.sweep
 def test_a_spring_and_a_damper_of_two_degrees():
     text = scene(CARS, "m1: 2 kg, m2: 1 kg, k1: 900 N/m", "k2: omega[2] = 40 rad/s", "c: zeta[2] = 0.3",
                  dampers="dampers: {d: {c: c, between: [a, b]}}")
@@ -285,6 +290,7 @@ def test_a_spring_and_a_damper_of_two_degrees():
     assert values(found, "k2") == pytest.approx([2300 * 1600 / 3900] * len(values(found, "k2")), rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_three_parameters():
     text = scene(CARS, "m1: 2 kg", "k1: K[x,x] = 1 kN/m", "k2: K[x,y] = -300 N/m", "m2: omega[1]*omega[2] = 200 s^-2")
     found = settled(problem(text))
@@ -404,6 +410,7 @@ def test_a_counterweight_on_a_rope():
     assert forms(settled(problem(text)), "m2") == ["m1"]
 
 
+@pytest.mark.sweep
 def test_a_linkage_in_balance():
     text = """
     parameters: {m: 2 kg, g: 9.81 m/s^2}
@@ -543,6 +550,7 @@ def test_a_value_and_a_condition_contradict_one_another():
     assert "'c' is chosen, but has a value already" in str(caught.value)
 
 
+@pytest.mark.sweep
 def test_no_closed_form_is_said_and_numbers_help():
     text = scene(CARS, "m1: , m2: , k1: , k2: ", "c: zeta[1] = 0.05", dampers="dampers: {d: {c: c, between: [a, b]}}")
     assert "no closed form of c was found" in refused(text)
@@ -612,6 +620,7 @@ def test_answers_and_cases():
     assert [key for key, agrees in wrong.items() if not agrees] == ["c", "softc", "otherc"]
 
 
+@pytest.mark.sweep
 def test_answers_in_letters_are_compared_at_several_values():
     letters = FILE.partition("cases:")[0].replace("m: 2 kg, k: 800 N/m", "m: , k: ").replace("  c/m: 40 s^-1\n", "")
     assert verdicts(letters) == {"c": True, "zeta[1]": True}
@@ -655,6 +664,7 @@ def test_commands_say_what_was_chosen(command, file, capsys):
     assert "80·ẋ" in out or command == "frequencies"
 
 
+@pytest.mark.sweep
 def test_check_of_a_file(file, capsys):
     assert "6 answers agree" in printed(capsys, "check", file)
 
@@ -674,6 +684,7 @@ def test_json(file, capsys):
     assert "chosen" not in data["cases"]["given"]
 
 
+@pytest.mark.sweep
 def test_more_digits_need_a_closed_form(tmp_path, capsys):
     path = tmp_path / "scene.yaml"
     path.write_text(scene(BLOCK, "m: 2 kg, k: 700 N/m", "c: zeta[1] = 1/3"))
@@ -721,6 +732,7 @@ def test_flutter_of_an_undamped_column_begins_at_its_published_load():
     assert forms(found, "P")[0] is not None
 
 
+@pytest.mark.sweep
 def test_damping_lowers_the_load_at_which_flutter_begins():
     """Herrmann & Jong 1965: 41/28 + c²/(2 m l² k) for equal dampers."""
     for c in (0.01, 0.1, 1.0):

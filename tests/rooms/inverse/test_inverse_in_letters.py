@@ -91,6 +91,7 @@ def test_solutions_in_letters_are_those_of_numbers(frame, given, choose):
     assert compared
 
 
+@pytest.mark.sweep
 def test_the_scene_goes_on_with_what_counts():
     """The smaller stiffness is negative for most values about one: the scene is drawn where it counts."""
     whole = problem(ONE.format(parameters="m: , c: , F0: , W: , X: ", choose='k: "amplitude(x) = X"'))
@@ -102,6 +103,7 @@ def test_the_scene_goes_on_with_what_counts():
                for draw in found.choice.draws)
 
 
+@pytest.mark.sweep
 def test_what_no_draw_fulfils_is_not_called_impossible():
     text = ONE.format(parameters="m: , c: , F0: , W: , X: ", choose='k: {so: "amplitude(x) = -X"}')
     with pytest.raises(PhysicsError) as caught:

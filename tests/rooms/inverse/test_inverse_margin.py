@@ -147,6 +147,7 @@ def test_motion_that_nothing_holds_is_left_out():
     assert min(seen.values()) >= 10
 
 
+@pytest.mark.sweep
 def test_its_share_knows_no_unit():
     for M, C, G, K in list(systems())[:24]:
         value, size = of(M, C, G, K)

@@ -82,6 +82,7 @@ def test_of_two_numbers_that_are_searched_for_together():
                 assert off <= errors[name] <= 100 * (off + 1e-14 * exact)
 
 
+@pytest.mark.sweep
 def test_of_a_load_at_which_a_column_buckles(monkeypatch):
     """1 − 3 P l/k + (P l/k)² = 0"""
     monkeypatch.setattr(search, "candidates", lambda *args: None)
@@ -91,6 +92,7 @@ def test_of_a_load_at_which_a_column_buckles(monkeypatch):
     assert abs(found.choice.value("P", 1) - true) <= found.choice.error("P") <= 1e-12 * true
 
 
+@pytest.mark.sweep
 def test_a_decimal_that_a_double_root_is_near_to_is_not_taken_for_it(monkeypatch):
     """0.75 kg is tried as the middle and the end of a range; the ratio is that at 0.75 kg + 1 µg."""
     monkeypatch.setattr(search, "candidates", lambda *args: None)
@@ -105,6 +107,7 @@ def test_a_decimal_that_a_double_root_is_near_to_is_not_taken_for_it(monkeypatch
             assert max(held(found, [true, fast])) <= 1
 
 
+@pytest.mark.sweep
 def test_beside_what_is_refused_on_one_side(monkeypatch):
     """c = 2 √(km) √(1 − r²), above which there is no damped frequency."""
     monkeypatch.setattr(search, "candidates", lambda *args: None)
@@ -116,6 +119,7 @@ def test_beside_what_is_refused_on_one_side(monkeypatch):
     assert max(off) <= 1
 
 
+@pytest.mark.sweep
 def test_of_a_force_that_all_but_vanishes(monkeypatch):
     monkeypatch.setattr(search, "candidates", lambda *args: None)
     choose = "{F: {so: x(0.1 s) = -0.0035321299273629911 m, from: -1 N, to: 1 N}}\nanswers: {F: 1 N, x(0.3 s): 1 m}"

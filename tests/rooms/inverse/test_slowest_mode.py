@@ -39,6 +39,7 @@ def slope_at_the_clamp(mass):
     return slope
 
 
+@pytest.mark.sweep
 def test_what_vanishes_there_changes_its_sign_and_is_small_beside_what_stays():
     mast = problem(MAST)
     assert slope_at_the_clamp(BUCKLES * (1 - 1e-13)) > 0 > slope_at_the_clamp(BUCKLES * (1 + 1e-13))
@@ -48,12 +49,14 @@ def test_what_vanishes_there_changes_its_sign_and_is_small_beside_what_stays():
     assert below[1] / below[2] == pytest.approx(-above[1] / above[2], rel=1e-5)
 
 
+@pytest.mark.sweep
 def test_two_that_grow_are_beyond_all_limits():
     """What stays plays no part in its size, so that it is no nearer to a limit where more grow."""
     _, value, size = slowest(problem(MAST).sharing({"M": Fraction(1500)}))
     assert value == -size
 
 
+@pytest.mark.sweep
 def test_a_member_without_coordinates_buckles_between_its_ends():
     found = problem("""
         parameters: {L: 2 m, EI: 1 kN*m^2}
@@ -68,6 +71,7 @@ def test_a_member_without_coordinates_buckles_between_its_ends():
     assert found.with_values({"P": Fraction(limit * (1 + 1e-9))}).modal.modes.first(1)[0].growth_rate > 0
 
 
+@pytest.mark.sweep
 def test_a_pressed_beam_at_its_chosen_limit_neither_swings_nor_grows():
     """Though the number of P is rounded; ω₂² = 4·(4 − 1)·π⁴·EI/(μL⁴)."""
     found = settled(problem("""

@@ -147,6 +147,7 @@ def test_the_response_of_a_record_is_that_of_its_lines(beside):
     assert values[0] == pytest.approx(values[1], rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_a_record_moves_a_support(tmp_path):
     """The support of a spring and damper follows a record: its rate is a staircase."""
     (tmp_path / "u.csv").write_text("0 0\n0.2 0.01\n0.5 -0.02\n0.6 0\n")
@@ -278,6 +279,7 @@ def test_what_is_too_large_or_no_file(beside, tmp_path, capsys, monkeypatch):
     assert "is no file" in complaints(beside(record="pipe.csv"), capsys)[1]
 
 
+@pytest.mark.sweep
 def test_noise_is_never_an_error_of_our_own(beside, capsys):
     generator = random.Random(8)
     for _ in range(60):

@@ -73,6 +73,7 @@ def test_full_motions_stand_beside_equations_without_a_slope(ask):
         assert code == 0 and not err and "Extremes" in out
 
 
+@pytest.mark.sweep
 def test_what_needs_a_slope_is_refused(ask):
     for text, line in ((BLOCK, ["frequencies"]), (BLOCK, ["frequencies", "--json"]),
                        (BLOCK + "find: [equations, frequencies]\n", ["solve"]),
@@ -85,6 +86,7 @@ def test_what_needs_a_slope_is_refused(ask):
     assert "linear" not in ask(BLOCK + "find: [equilibria: all]\n", "solve")[1]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("mu, told", [("0.4", "which is anywhere"), ("0.2", "there is no such place")])
 def test_a_block_on_an_incline(mu, told, ask):
     """tan α = 0.3145: above it friction holds the block anywhere, below nowhere."""
@@ -154,6 +156,7 @@ def test_a_motion_starts_as_drawn_where_friction_alone_holds_the_scene(force, ho
     assert bool(re.search(r"ẋ \[m/s\] +0\n", out)) == holds
 
 
+@pytest.mark.sweep
 def test_forces_in_an_equilibrium_that_is_none_are_refused(ask):
     """What friction alone holds against a load is at rest, but no equilibrium of the scene without it: no damper's
     force there is 0."""

@@ -63,6 +63,7 @@ def at(V, F, symbols, place):
     return max(map(abs, slopes(*place))), pair(*K(*place))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(5))
 def test_it_is_the_hessian_of_the_energy_in_equilibrium(seed):
     text, *independent = random_scene(seed)

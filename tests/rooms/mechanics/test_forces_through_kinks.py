@@ -71,6 +71,7 @@ def test_rope_over_a_peg_draws_a_block_with_friction(friction):
     assert (abs(rubbed) <= 8 + 1e-8).all()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("stop", STOPS)
 def test_pin_of_a_rod_that_meets_a_stop(stop):
     value, trajectory = motion(LEVER, stop)
@@ -82,6 +83,7 @@ def test_pin_of_a_rod_that_meets_a_stop(stop):
     assert value("O.reaction.y") == pytest.approx(2 * (value("rod.y''") + G) - pulled[1], abs=1e-8)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("rub", RUBS)
 def test_link_of_a_loop_with_friction_in_a_hinge(rub):
     value, trajectory = motion(KNEE, rub)

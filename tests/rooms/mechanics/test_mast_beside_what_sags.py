@@ -12,6 +12,7 @@ beams:
 """
 
 
+@pytest.mark.sweep
 def test_a_mast_keeps_its_frequencies():
     found = [mode.omega for mode in problem(SCENE).modal.modes.first(3)]
     assert found == pytest.approx([56.7054923644764527, 226.957809665201414, 355.550256863146968], rel=1e-12)

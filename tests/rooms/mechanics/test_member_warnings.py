@@ -49,6 +49,7 @@ def test_a_beam_beside_the_point_that_it_carries_is_told():
         "the right end of 'left' is held to 'floor' 1 m from where that is drawn, as by a rigid arm without mass"]
 
 
+@pytest.mark.sweep
 def test_a_tension_that_statics_leaves_open_is_told_with_where_it_is_from():
     """The columns carry half the load besides; that of the girder by finite elements."""
     assert member_warnings(problem_of(TRIALS / "loaded_frames.yaml").configuration) == [
@@ -56,6 +57,7 @@ def test_a_tension_that_statics_leaves_open_is_told_with_where_it_is_from():
         for name, tension in (("left", -5424), ("right", -5424), ("girder", -545.659))]
 
 
+@pytest.mark.sweep
 def test_a_tension_between_ends_at_rest_is_told_where_its_weight_varies_it():
     """Its mean is the preload, whether it stretches or keeps its length."""
     text = ("gravity: 9.81 m/s^2\nbeams: {w: {from: [0 m, 0 m], to: [WAY], EI: 2 kN*m^2, mass_per_length: 40 kg/m, "
@@ -71,6 +73,7 @@ def test_a_tension_between_ends_at_rest_is_told_where_its_weight_varies_it():
         "'w': tension -588.6 to 588.6 N: statics alone leaves it open; from the equilibrium"]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("ends", ["from: [0, 0], to: [0, L], left: clamped, right: {clamped: head}",
                                   "from: [0, L], to: [0, 0], left: {clamped: head}, right: clamped"])
 def test_the_tension_of_a_heavy_mast_under_a_head_is_found(ends):

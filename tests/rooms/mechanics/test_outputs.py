@@ -318,6 +318,7 @@ def test_a_support_that_moves_by_a_pulse_is_an_input():
     assert response(pulse, "y", "W") == pytest.approx(response(problem(text % "h*sin(pi*t/t1)"), "y", "W"))
 
 
+@pytest.mark.sweep
 def test_forces_at_rest_in_letters_have_lengths_as_drawn_and_no_common_factors():
     """A rope whose length is |2b(e/h − 1)| as drawn, between the legs of a ladder."""
     path = next(path for path in FILES if path.stem == "step_ladder_with_a_man")

@@ -96,6 +96,7 @@ def test_friction_written_as_a_load_shares_too(load, force):
         value(found, "d.force(1 s)")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("ends, loads, forces", [
     ((("ground", "a"), ("a", "b")), (1.0, 2.0), (3.0, 2.0)),
     ((("ground", "a"), ("ground", "b")), (1.0, 2.0), (1.0, 2.0))])
@@ -117,6 +118,7 @@ def test_the_equilibrium_of_what_is_shared_is_refused():
         value(found, "equilibrium[d.force]")
 
 
+@pytest.mark.sweep
 def test_reports_answer_the_other_signals(tmp_path, capsys):
     path = tmp_path / "scene.yaml"
     path.write_text(held())

@@ -28,6 +28,7 @@ def blocks(draw):
                               "find: [{response: {until: 3 s}}]"])), n
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(8))
 def test_the_equation_of_motion_holds_in_stick_and_slip(seed):
     """m ẍ + k … + Σ d.force − loads = 0 at every instant, sign ẋ being what the force of the element says."""

@@ -84,6 +84,7 @@ def value_of(text, read, values):
         raise AssertionError(text) from error
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", WAYS)
 def test_random_expressions_are_read_back(name):
     write, read = WAYS[name]
@@ -94,6 +95,7 @@ def test_random_expressions_are_read_back(name):
         assert formulas.agree(value_of(text, read, keyed), wanted), f"{node}\n{text}"
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", [name for name, (write, _) in WAYS.items() if isinstance(write, Stacked)])
 def test_what_was_typed_is_read_back(name):
     """As the language writes expressions, with brackets that a file may have and the tree has not."""
@@ -123,6 +125,7 @@ def numbers(found):
     return values
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", SAMPLE, ids=lambda path: path.stem)
 def test_reports_are_read_back(path):
     base = kept_problem_of(path)

@@ -94,6 +94,7 @@ def test_a_chain_that_is_free(n):
     check(K, masses(np.ones(n)), exact, 20, zeros=1)
 
 
+@pytest.mark.sweep
 def test_a_grid_has_its_double_eigenvalues():
     n, side = 1600, 40
     ties = [(i, i - 1 if i % side else GROUND) for i in range(n)] + [(i, GROUND) for i in range(side - 1, n, side)]
@@ -104,6 +105,7 @@ def test_a_grid_has_its_double_eigenvalues():
     check(springs(n, ties), masses(np.ones(n)), exact, 40)
 
 
+@pytest.mark.sweep
 def test_a_ring_has_pairs():
     n = 3000
     exact = sorted([*sines(n, lambda n: range(30), n), *sines(n, lambda n: range(1, 30), n)])
@@ -129,6 +131,7 @@ def test_stiff_and_soft_springs(stiff):
     check(K, M, enclosed(K, M), 8)
 
 
+@pytest.mark.sweep
 def test_negative_springs_and_entries():
     n, random = 60, np.random.default_rng(5)
     k = np.where(np.arange(n) % 20 == 7, -0.3, 1.0)

@@ -55,6 +55,7 @@ def test_what_may_be_asked_at_once_is_what_is_tried_here():
     assert declared == {*OF_NATURAL, *OF_DAMPED}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "name", "low", "high"), SAID)
 def test_each_is_that_of_the_scene_alone(text, name, low, high):
     variants = grid(text, name, low, high)
@@ -95,6 +96,7 @@ def test_nothing_is_damped_where_nothing_damps():
     assert len(raised.traceback) <= 3
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "name", "low", "high"), SAID)
 def test_the_regime_is_that_of_the_scene_alone(text, name, low, high):
     variants = grid(text, name, low, high)

@@ -51,6 +51,7 @@ def test_the_amplitude_is_half_the_range_of_a_signal():
         asked(DUFFING, "backbone[1](x)(10 cm)")[0], rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_about_one_of_two_wells():
     """V = ¼ b (x² − k/b)²: 2 (E − V)/m = b/(2 m) (q₂² − x²)(x² − q₁²), T = 2 √(2 m/b) K(1 − q₁²/q₂²)/q₂."""
     with mpmath.workdps(30):
@@ -68,6 +69,7 @@ def test_dampers_are_left_out():
     assert asked(damped, "backbone[1](x)(10 cm)") == asked(DUFFING, "backbone[1](x)(10 cm)")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "what", "message"), [
     (TWO_WELLS + "equilibrium: {x: 0.2 m}\n", "backbone[1](x)(15 cm)", "end at 0.141421 m"),
     (TWO_WELLS, "backbone[1](x)(15 cm)", "not stable"),
@@ -94,6 +96,7 @@ def test_what_is_asked_wrongly_is_told(what, message):
         problem(DUFFING + f"answers: {{{what}: 1 rad/s}}\n")
 
 
+@pytest.mark.sweep
 def test_a_curve_is_printed_drawn_and_in_the_json(tmp_path, capsys):
     file = tmp_path / "duffing.yaml"
     file.write_text("title: A block\n" + DUFFING + "find: [{backbone: {up_to: 20 cm}}]\n")

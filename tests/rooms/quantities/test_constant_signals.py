@@ -33,6 +33,7 @@ def test_a_force_that_does_not_change_is_so_always():
     assert row.split()[2:] == [f"{pull:.6g}", "always"] * 2
 
 
+@pytest.mark.sweep
 def test_no_instant_of_it_stands_out():
     model = vibcli.load("problems/2_lagrange/sledge_hauled_up_by_a_falling_weight.yaml")
     with pytest.raises(PhysicsError, match=r"'rope\.force\.2' does not change"):

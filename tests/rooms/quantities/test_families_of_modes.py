@@ -79,6 +79,7 @@ def _come_to_rest(start, half):
     return np.array([end[2], end[3], 0.5 * abs(start[1] - end[1]) - 0.9])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("number", [1, 2])
 def test_a_pendulum_on_a_cart_comes_to_rest_after_half_a_period(number):
     """By shooting: of the places of rest one is found near those of the linear mode, through the amplitudes."""
@@ -131,6 +132,7 @@ def test_a_motion_across_a_bend_keeps_its_bound():
     assert abs(found / exact - 1) <= error < 1e-6
 
 
+@pytest.mark.sweep
 def test_an_internal_resonance_is_told_and_the_family_named(tmp_path, capsys):
     """ω₂ is a little more than 3 ω₁: harmonic 3 of the first family moves as mode 2 does."""
     file = tmp_path / "pair.yaml"
@@ -145,6 +147,7 @@ def test_an_internal_resonance_is_told_and_the_family_named(tmp_path, capsys):
     assert points[-1]["omega"] == pytest.approx(asked(text, "backbone[2](x)(10 cm)")[0], rel=1e-14)
 
 
+@pytest.mark.sweep
 def test_an_interrupt_keeps_the_motions_that_were_found(tmp_path, capsys, monkeypatch):
     from vibcli.analyses.nonlinear.family_of_mode import FamilyOfMode
 

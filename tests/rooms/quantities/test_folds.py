@@ -96,6 +96,7 @@ def test_a_truss_that_snaps_through():
         assert abs(found - load) <= error * load <= 1e-29
 
 
+@pytest.mark.sweep
 def test_two_degrees():
     """r = 0 and det K = 0 of the truss with a free apex, by hand."""
     def length(x, y, side):
@@ -122,6 +123,7 @@ def test_two_degrees():
         agrees(FREE_TRUSS, "fold[1, P](x)", x, 1e-12)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("s", ["0.05", "-0.3", "1e-6"])
 def test_an_imperfect_column(s):
     """P = k L (1 − |s|^(2/3))^(3/2), where sin³φ = s."""
@@ -165,6 +167,7 @@ def test_pull_in_and_a_force_that_softens():
     agrees(soft, "fold[1, F](x)", mpf("0.1"))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("slope", ["1.02", "1.5", "5"])
 def test_where_forces_bend(slope):
     """The force falls beyond x = a: equilibria meet at the corner, F = k a."""
@@ -172,6 +175,7 @@ def test_where_forces_bend(slope):
     agrees(BENT % f"k*d - {slope}*k*max(d - a, 0)", "fold[1, F](x)", mpf("0.1"), 1e-6)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "what", "message", "hint"), [
     (COLUMN.replace("s: 0.05", "s: 0"), "fold[1, P]", "no fold 1 of 'P': none is met", "at 30 N other equilibria "
      "branch off, which is no fold"),
@@ -185,6 +189,7 @@ def test_there_is_none(text, what, message, hint):
     assert hint in (error.value.hint or "")
 
 
+@pytest.mark.sweep
 def test_limit_points_next_to_each_other():
     """F = ∫ (x − 2)(x − 2.1)(x² + 1) dx has one pair of them, closer than a step."""
     slope = (1, mpf("-4.1"), mpf("5.2"), mpf("-4.1"), mpf("4.2"))
@@ -196,6 +201,7 @@ def test_limit_points_next_to_each_other():
     agrees(text, "fold[2, F]", mpmath.polyval(force, 2), 1e-13)
 
 
+@pytest.mark.sweep
 def test_a_buckled_column_does_not_fold_where_it_becomes_straight():
     text = COLUMN.replace("(sin(phi) - s)", "phi").replace("s: 0.05, P: 1 N", "P: 35 N") + "equilibrium: {phi: 0.8}\n"
     with pytest.raises(PhysicsError, match="are followed from 30 N to") as error:
@@ -203,6 +209,7 @@ def test_a_buckled_column_does_not_fold_where_it_becomes_straight():
     assert "at 30 N other equilibria branch off" in error.value.hint
 
 
+@pytest.mark.sweep
 def test_the_place_of_a_branching_is_told_as_it_is():
     """P L = k_t of an upright rod on a torsion spring; the bisection of the step meets the singular place itself."""
     column = loads("parameters: {L: 1 m, kt: 10 N*m, P: 5 N, m: 1 kg}\n"

@@ -66,6 +66,7 @@ def test_coefficients_against_derivatives_of_the_root():
             assert off <= one.error + 1e-9 * (n % 2 == 0) and off <= 1e-12 * abs(exact[n]) + 1e-9
 
 
+@pytest.mark.sweep
 def test_coefficients_in_letters_against_a_reversion_by_hand():
     """D = F/k1 + d(F), d = F/k2 − g F³/k2⁴ + 3 g² F⁵/k2⁷ − …"""
     k1, k2, g, D, a, b, c = sympy.symbols("k1 k2 g D a b c")
@@ -79,6 +80,7 @@ def test_coefficients_in_letters_against_a_reversion_by_hand():
         assert sympy.simplify(found - sympy.simplify(exact[n])) == 0
 
 
+@pytest.mark.sweep
 def test_a_cubic_part_alone_governs_where_all_are_soft_enough():
     """F = g u³, D = u + g u³/k: F = g D³ − 3 g²/k D⁵ + 12 g³/k² D⁷"""
     found = asked(["law[s, d]", "law[s, d^3]", "law[s, d^5]", "law[s, d^7]"], letters=True,

@@ -69,6 +69,7 @@ def test_it_has_the_measure_of_the_coordinate_that_moves_first(tmp_path, capsys)
     assert "expected a moment of inertia" in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 def test_of_beams_no_slope_is_ever_one(tmp_path, capsys):
     """So a modal mass is a mass, and a moment by the displacement a force; of damped modes a slope may be the first."""
     path = tmp_path / "scene.yaml"

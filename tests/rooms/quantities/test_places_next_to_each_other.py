@@ -105,6 +105,7 @@ def _determinant(e, omega):
     return mpmath.re(mpmath.det(whole[2:4, 2:4]))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("apart", [1e-5, 1e-6, 1e-8])
 def test_equilibrium(apart):
     """A spring takes R = k u off the tip load F of a cantilever: by superposition."""
@@ -122,6 +123,7 @@ def test_equilibrium(apart):
         assert abs(found - exact) <= (error + 1e-14) * abs(exact)
 
 
+@pytest.mark.sweep
 def test_what_nothing_holds_is_still_refused():
     """A free beam under a load, with places next to each other."""
     one = problem("""

@@ -285,6 +285,7 @@ def test_values_name_their_instants_where_nobody_says_how_long():
     assert "until" in refusal.value.hint
 
 
+@pytest.mark.sweep
 def test_a_motion_that_dies_out_has_no_period_and_it_is_said_what_was_tried():
     with pytest.raises(PhysicsError, match="does not repeat itself for 0 ≤ t ≤ 24 s"):
         measure(KINDS["full"].problem, parse("period(x)"))

@@ -96,6 +96,7 @@ def test_no_motion_is_followed_to_its_start():
     assert not scene.response.integrated
 
 
+@pytest.mark.sweep
 def test_about_each_equilibrium():
     """K about all rests of a pendulum held by a soft torsion spring: kt + m g L cos φ."""
     scene = problem("""

@@ -77,6 +77,7 @@ FREE = dedent("""\
     """)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("load, damper", [("step(t)", ""), ("step(t) + cos(W*t)", "\ndampers: {d: {between: [p, q], c: "
                                           "30 N*s/m}}"), ("1 + square(W*t)", "")], ids=["step", "cosine", "square"])
 def test_what_a_constant_force_drives_off_is_bent_as_it_is_drawn_along(load, damper):

@@ -99,6 +99,7 @@ answers: {"x(2)": 1}
 """
 
 
+@pytest.mark.sweep
 def test_coefficients_may_have_units_that_are_not_written():
     """2 x'' + x' + x + 2 x³ + 4 b x³ + 3 x = 3 cos 2t from rest, by a Taylor series of its own."""
     b = 3 * mpmath.sqrt(2)

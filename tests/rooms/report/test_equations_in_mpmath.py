@@ -164,6 +164,7 @@ strings:
 """: "k + k₁ + k₂ − M·ω² = 0"}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text", JOINED, ids=range(len(JOINED)))
 def test_two_stretches_under_an_axial_force(text):
     """Even along each, or that of a string by its weight."""
@@ -191,6 +192,7 @@ def test_wave_numbers_of_another_length_have_letters():
     assert fulfilled(found) == 1 and hold_shapes(found) == 3
 
 
+@pytest.mark.sweep
 def test_what_is_false_is_seen():
     """The equation of a free tip, and one of another force, where a mass and this force act."""
     loaded, other, bare = (scene(beam("clamped", "free", f"preload: {more}")) for more in (
@@ -242,6 +244,7 @@ HANGING = {
 }
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("told", HANGING, ids=range(len(HANGING)))
 def test_strings_whose_tension_varies(told):
     """Bessel functions of z = 2ω√(μT)/|γ|."""
@@ -279,6 +282,7 @@ def test_shapes_are_those_of_their_modes(text):
     assert hold_shapes(scene(text)) > 1
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("kind", "told"), [(BEAM, "cos βL·cosh βL = −1"), (BAR, "cos βL = 0"), (STRING, "cos βL = 0")])
 def test_stretches_on_both_sides_of_a_place_where_nothing_acts_are_one(kind, told):
     """Dampers, which leave the undamped system alone."""

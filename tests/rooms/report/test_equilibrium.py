@@ -42,6 +42,7 @@ def test_conditions_have_quantities_as_printed(typed, printed):
     assert condition_told(typed, {"theta", "x1", "Omega"}) == printed
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("load", "at"), [("P", "x = (P²/c²)^(1/3)"), ("-P", "x = −(P²/c²)^(1/3)")])
 def test_a_spring_whose_force_is_a_power_of_its_stretch_has_its_rest_in_letters(load, at):
     """To either side: c |x|^(3/2) sign x = P."""
@@ -55,6 +56,7 @@ def test_a_spring_whose_force_is_a_power_of_its_stretch_has_its_rest_in_letters(
     assert at in text.render([report(found, solution(found)).document()], None)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("load", ["P - R", "Q"])
 def test_a_load_of_either_sign_leaves_the_side_of_rest_open(load):
     """What holds for one sign of the load is false for the other."""

@@ -24,6 +24,7 @@ find: [reactions]
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("height", ["", "{sign: any}"])
 def test_a_rope_pulls_its_drum_by_what_reads_in_a_line(height):
     """(r·(x + r) + (y + h)·ℓ)·λ/(ℓ² + r²), the unit vector of a tangent of length ℓ to the circle, with the values of

@@ -42,6 +42,7 @@ def slid(m, k, F, x0):
     return count, x, count * math.pi * math.sqrt(m / k)
 
 
+@pytest.mark.sweep
 def test_where_friction_brings_a_block_to_rest():
     draw = random.Random(11)
     for _ in range(8):
@@ -64,6 +65,7 @@ def test_a_motion_that_hardly_rubs_is_given_up():
                      told(BLOCK.format(m=1.0, k=400.0, F=0.01, x0=1.0), "Motion under dry friction"))
 
 
+@pytest.mark.sweep
 def test_the_period_of_a_wide_swing():
     T0 = 2 * math.pi * math.sqrt(2 * 0.8 / (3 * 9.81))
     for degrees in (10, 120, 179):

@@ -199,6 +199,7 @@ def test_what_is_printed_is_zero_at_the_frequencies_alone(text):
     assert fulfilled(problem(text), 4) == 1
 
 
+@pytest.mark.sweep
 def test_what_has_no_equation_in_closed_form_tells_its_determinant():
     (line,), = printed(problem("""
         parameters: {L: 1.2 m, EI: 4 kN*m^2, mu: 2 kg/m, M: 3 kg}

@@ -29,6 +29,7 @@ def test_equations_in_numbers_need_no_dense_matrices():
     assert len(rows) == n
 
 
+@pytest.mark.sweep
 def test_shapes_of_very_many_coordinates_are_told_at_some(tmp_path, capsys):
     n, file = TALL + 50, tmp_path / "chain.yaml"
     file.write_text(chain(n, "find: [{modes: 2}]"))

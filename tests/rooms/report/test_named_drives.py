@@ -21,6 +21,7 @@ springs: {s: {k: k, between: [S, b]}}
 """
 
 
+@pytest.mark.sweep
 def test_a_bump_is_named():
     """No step stands in an energy, nor the square of one anywhere; each symbol is told once."""
     found = kept_problem_of(BUMP)
@@ -37,6 +38,7 @@ def test_a_bump_is_named():
     assert "ℓ₃" not in told and "characters" not in told
 
 
+@pytest.mark.sweep
 def test_the_equations_of_a_bump_have_its_symbols():
     """Full ones as they come from the energies; small ones k₁u₁ + c₁u̇₁ and so on, with the engine's numbers."""
     found = kept_problem_of(BUMP)
@@ -49,6 +51,7 @@ def test_the_equations_of_a_bump_have_its_symbols():
     assert "131220·φ = 45600·u₁ + 3120·u̇₁ − 51000·u₂ − 3450·u̇₂\n" in small
 
 
+@pytest.mark.sweep
 def test_small_and_full_equations_are_those_of_the_engine_during_the_bump():
     """At instants while each axle is on the bump, with symbols put in by hand."""
     found = kept_problem_of(BUMP)
@@ -83,6 +86,7 @@ def test_short_energies_have_no_symbols(scene):
     assert named_drives(problem(scene)) is None
 
 
+@pytest.mark.sweep
 def test_the_symbols_meet_no_name_of_the_scene():
     renamed = BUMP.read_text().replace("k1", "u1")
     assert [plain(symbol) for symbol, _ in named_drives(problem(renamed)).stands] == ["s₁", "s₂"]

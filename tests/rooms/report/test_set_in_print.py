@@ -10,7 +10,7 @@ from vibcli.api.reports import STEPS, illustrated, report, solution
 from vibcli.base.units import ENERGY, FORCE
 from vibcli.quantities.dimensions import text_of
 from vibcli.report.blocks import Name, maths
-from vibcli.report.formats import html, text
+from vibcli.report.formats import html, latex, text
 from vibcli.report.sections.requested_signals import symbol
 from vibcli.symbolic.syntax import NameRef
 
@@ -48,7 +48,7 @@ def test_questions_have_symbols():
     assert found.question[:2] == ("Of ", maths(Name("k2")))
     assert text.render([found]).split("\n")[3] == \
         "Of k₂ x²/π and 2·a sin(Ω₁ t) let φ̇₁ be 3 N·s/m, k2.force or k3 (R/n²)."
-    assert "3 N·s/m, k2.force" in html.render([found])
+    assert "3\N{NO-BREAK SPACE}N·s/m, k2.force" in html.render([found])
 
 
 def test_a_name_in_quotation_marks_is_no_rate():
@@ -123,6 +123,7 @@ find: [{response: {of: [s.energy, t.energy, t.force], until: 2 s}}]
 """
 
 
+@pytest.mark.sweep
 def test_energies_are_in_joules_and_moments_in_newton_metres(tmp_path):
     heads = text.render([told(ENERGETIC)])
     assert all(head in heads for head in ("s.energy [J]", "t.energy [J]", "t.force [N·m]"))
@@ -148,3 +149,31 @@ def test_no_row_of_text_ends_with_an_equality_or_begins_with_its_zero(name, sect
     rows = text.render([report(found, sections or solution(found)).document()]).split("\n")
     assert any(row.strip().startswith("= ") for row in rows)
     assert not [row for row in rows if row.endswith((" =", ",  T")) or row.strip() == "0"]
+
+
+def test_a_value_in_a_question_is_not_parted_from_its_unit():
+    """A no-break space in each format; in text the line ends before the number."""
+    found = problem("""
+        question: >-
+          A block of mass {M} hangs on a spring of stiffness {k} by a damper of {c} and turns {U} of unbalance.
+        parameters: {M: 3 kg, k: 900 N/m, c: 4 N*s/m, U: 0.25 kg*m}
+        bodies: {block: {mass: M, slide: x}}
+        springs: {s: {k: k + 0*U/(1 kg*m)*k, between: [ground, block]}}
+        dampers: {d: {c: c, between: [ground, block]}}
+    """)
+    document = report(found, ()).document()
+    assert [part for part in document.question if "\N{NO-BREAK SPACE}" in str(part)] == [
+        one.replace(" ", "\N{NO-BREAK SPACE}") for one in ("3 kg", "900 N/m", "4 N·s/m", "0.25 kg·m")]
+    lines = text.render([document]).splitlines()
+    assert any(line.startswith("0.25 kg·m of") for line in lines) and "\N{NO-BREAK SPACE}" not in "".join(lines)
+    assert "900~N/m" in latex.render([document], Path()) and "900\N{NO-BREAK SPACE}N/m" in html.render([document])
+
+
+def test_names_in_what_the_file_says_of_coordinates_are_symbols():
+    shown = text.render([told("""
+        parameters: {m1: {about: mass of the one that phi1 turns}, k2: , r: }
+        coordinates: {phi1: turn of m1 against k2}
+        bodies: {b: {inertia: m1*r^2, turn: phi1}}
+        springs: {s: {torsion: k2*r^2, between: [ground, b]}}
+    """)])
+    assert "turn of m₁ against k₂" in shown and "mass of the one that φ₁ turns" in shown

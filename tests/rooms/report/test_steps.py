@@ -144,6 +144,7 @@ def test_a_wrong_line_is_seen():
     assert checked.count > before and checked.wrong and checked.wrong[0][0] == 3
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_every_equality_holds(path):
     found = kept_problem_of(path)
@@ -313,6 +314,7 @@ forces: {f: {at: b, force: [-(k*x), 0]}}
     assert any("Q = −k·x" in line for line in told) and any("m·ẍ + 2·k·x = 0" in line for line in told)
 
 
+@pytest.mark.sweep
 def test_energies_and_equations_are_told_unexpanded_where_they_are_asked():
     """A rod on a cart: T, Lagrange's derivatives, the equations, then small ones."""
     told = [formula(line.parts, plain) for line in worked(kept_problem_of(CART))]
@@ -383,6 +385,7 @@ variants: {parameters: {k: [1 kN/m, 1.2 kN/m]}, ask: {"M[phi,phi]": , "K[phi,phi
     assert not {"M[phi,phi]", "K[phi,phi]"} & {line.settles for line in worked(problem(ROD))}
 
 
+@pytest.mark.sweep
 def test_lines_hang_on_no_addresses():
     """Nodes are told apart by where they lie in memory: what is read again lies elsewhere, and is written alike."""
     path = "problems/1_statics_and_energy/plate_with_offset_hole.yaml"

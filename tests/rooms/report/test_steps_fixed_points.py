@@ -49,6 +49,7 @@ def test_a_load_that_is_another_at_each_frequency_has_none():
     assert "fixed points" not in lines and "amplitude(x1)" in lines
 
 
+@pytest.mark.sweep
 def test_the_spring_that_makes_them_equally_high():
     lines = told(kept_settled_of(Path("vibcli/examples/damped_absorber.yaml")))
     heights = [lines[f"height of fixed point {letter}"].value for letter in "PQ"]
@@ -56,6 +57,7 @@ def test_the_spring_that_makes_them_equally_high():
     assert lines["one height"].number + 1 == lines["k2"].number
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("case", [None, "stronger"])
 def test_in_letters_where_the_load_is_at_one_of_them(case):
     """ω² (1 + μ) m₁/k₁ = 1 ∓ √(μ/(2 + μ)), F₀/k₁ √(1 + 2/μ): Den Hartog 1956, section 3.3."""

@@ -33,6 +33,7 @@ AT = "0.2 s"
 SIGNALS = {"phi": "", "phi'": " rad/s", "phi''": " rad/s^2", "pin.force.x": " N", "pin.force.y": " N"}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("more", ["", LOADED])
 def test_forces_along_small_motions_follow_from_multipliers(more):
     """Held against what the engine finds by its own way."""

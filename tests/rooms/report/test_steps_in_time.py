@@ -68,6 +68,7 @@ def test_the_integral_of_energy_of_a_pendulum():
     assert [float(end.replace("−", "-")) for end in ends] == pytest.approx([-widest, widest], rel=1e-5)
 
 
+@pytest.mark.sweep
 @mpmath.workdps(40)
 def test_the_integral_of_energy_under_a_steady_force():
     """The turning places are roots of V = E, the period twice the integral between them."""
@@ -108,6 +109,7 @@ def test_a_wrong_potential_is_not_told(monkeypatch):
     assert "E" not in by_name(PENDULUM)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("start", "turns"), [
     ("0.2 m", [-0.12, 0.14, -0.06, 0.08, 0.0, 0.02]), ("-0.09 m", [0.11, -0.03, 0.05, 0.01]), ("0.04 m", [])])
 def test_half_cycles_under_dry_friction(tmp_path, start, turns):

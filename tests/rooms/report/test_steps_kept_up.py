@@ -56,6 +56,7 @@ def asked(record):
     return ", ".join(f'"{key}": {value}' for key, value in record.items())
 
 
+@pytest.mark.sweep
 def test_half_power_points_are_told_by_the_letters_of_the_damped_oscillation():
     of = told(DRIVEN.format(**LETTERS, wave="sin", asked=asked(PEAK)))
     assert shown(of["half_power[1](frf[x, f])"]) == (
@@ -83,6 +84,7 @@ def test_the_lag_of_a_coordinate_is_told_once_by_its_letter(wave, wanted):
     assert of["phase(x)"].value == pytest.approx(of["theta"].value - (wave == "cos") * 1.5707963267948966, rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_a_lag_whose_expression_fills_more_than_three_lines_is_told_by_its_number():
     of = told("""
         parameters: {m: 2 kg, k1: 800 N/m, k2: 300 N/m, c1: 9 N*s/m, c2: 7 N*s/m, Y: 1 mm, Z: 2 mm, w: 7 rad/s,

@@ -104,6 +104,7 @@ def test_expressions_that_answers_of_a_scene_in_letters_ask_are_told():
     assert told[-1] == "ω₁²·m:  m·g/d"
 
 
+@pytest.mark.sweep
 def test_a_number_beside_a_letter_keeps_its_unit_in_a_quotient():
     found = kept_problem_of(Path("problems/5_forced/shelter_under_a_blast.yaml"))
     square, = [line for line in worked(found) if line.settles == "omega[1]"]

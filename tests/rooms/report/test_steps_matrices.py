@@ -80,6 +80,7 @@ def test_an_entry_that_is_asked_has_the_words_of_the_question():
     assert entry.settles == "K[1, phi]" and entry.number == next(one.number for one in lines if one.settles == "K")
 
 
+@pytest.mark.sweep
 def test_letters_alone_have_no_numbers_and_what_there_is_not_no_matrix():
     lines = told(worked(problem(CHAIN)))
     assert lines["M"] == "mass matrix, in the order  x, y:  M = [m, 0; 0, m]"
@@ -129,6 +130,7 @@ def test_columns_are_as_wide_as_their_widest_entry():
     assert rows_of_matrix(three) == ["⎛ 1  ẍ ⎞", "⎜ 1  ẍ ⎟", "⎝ 1  ẍ ⎠"]
 
 
+@pytest.mark.sweep
 def test_no_format_is_at_fault_with_matrices_that_fill_a_line():
     scene = problem_of("problems/7_more_degrees/six_storeys_shaken_at_the_top.yaml")
     lines = worked(scene)

@@ -70,6 +70,7 @@ bars: {rod: {length: L, EA: EA, mass_per_length: mu, left: clamped, attached: [{
     assert any("the left end leaves  X = C₂·sin βx" in one for one in told(lines))
 
 
+@pytest.mark.sweep
 def test_damped_modes_by_hand():
     """EI β³ (1 + cos βL cosh βL)/(sin βL cosh βL − cos βL sinh βL) + c λ = 0, β⁴ = −μλ²/EI, of a cantilever whose end a
     dashpot holds; what it starts with is what held it, FL³/(3EI) with most of it in the first mode."""
@@ -105,6 +106,7 @@ def test_members_about_a_rest_that_a_search_finds():
     assert any(one.startswith("the forces balance at  y = −0.0173048 m") for one in text)
 
 
+@pytest.mark.sweep
 def test_entries_of_a_receptance_have_each_its_unit():
     """m/N and 1/N and rad/(N·m) of a place and a turn."""
     text = told(worked(problem("""
@@ -130,6 +132,7 @@ def test_each_stretch_about_a_rest_that_a_search_finds_has_its_stiffness():
     assert [one.rpartition(" = ")[2] for one in text if one.startswith("b, ")] == ["300 N·m²", "900 N·m²"]
 
 
+@pytest.mark.sweep
 def test_a_load_that_swings_beside_a_dashpot_and_ratios_by_hand():
     """H = Σ 1/(½μL (ω_k² − Ω² + 2iζω_kΩ)) at the free end, Σ 1/(½μL ω_k²) = L/EA, and U = HF/(1 + iΩcH)."""
     L, EA, mu, c, zeta, F, Omega = 0.8, 4000, 0.6, 25, 0.03, 60, 300
@@ -153,6 +156,7 @@ beams: {arm: {length: L, EI: EI, mass_per_length: mu, left: clamped, attached: [
     assert right is not Ends._moment
 
 
+@pytest.mark.sweep
 def test_forces_of_a_frame_are_those_of_the_answers():
     scene = kept_problem_of(Path("problems/1_statics_and_energy/jib_crane_with_winch.yaml"))
     found = {line.settles: line for line in worked(scene)}
@@ -162,6 +166,7 @@ def test_forces_of_a_frame_are_those_of_the_answers():
     assert -4.74342 * found["tie.force"].value - 1.71758 * 17658 + 6 * 17658 + 12360.6 == pytest.approx(0, abs=1)
 
 
+@pytest.mark.sweep
 def test_forces_of_an_atwood_machine_by_hand():
     """m₁ẍ + S − m₁g = 0 with ẍ of the line before."""
     lines = worked(problem("""
@@ -219,6 +224,7 @@ bodies: {bead: {mass: M, slide: y}}
                          "so the frequency equation:  k₁ + k₂ − M·ω² = 0"]
 
 
+@pytest.mark.sweep
 def test_a_plucked_string_and_a_struck_bar_by_hand():
     """Rao 2007, 8.6 and 9.2: p_n = 2hL² sin(nπa/L)/(n²π²a(L − a)); m = ∫ρA X² dx + M X(L)², m ṗ = M X(L) ẋ(0)."""
     lines = {line.settles: line for line in worked(kept_problem_of("problems/8_continuous/plucked_string.yaml"))}
@@ -236,6 +242,7 @@ def test_a_plucked_string_and_a_struck_bar_by_hand():
         assert lines[f"p'[{n}](0)"].value == pytest.approx(M * v / m, rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_what_lets_go_and_what_loads_do_by_modes():
     """A rope holds the top of a chimney in F x²(3L − x)/(6EI); Q of a walker at midspan is F by sin(kπ/2)."""
     text = told(worked(kept_problem_of("problems/8_continuous/chimney_let_go.yaml")))
@@ -257,6 +264,7 @@ def test_waves_by_hand(name, wanted):
     assert all(any(part in line for line in text) for part in wanted), text
 
 
+@pytest.mark.sweep
 def test_what_an_engine_keeps_up_of_a_bridge_by_hand():
     """The entries that the line tells make D, and U by D U = F is mid-span's share of Σ 2F sin²(kπ/3)/(μL(ω_k² − Ω²));
     the solution is put into its rows."""
@@ -295,6 +303,7 @@ def test_lines_on_motions_are_latex(name):
         assert formula(line.parts, latex).isascii(), line
 
 
+@pytest.mark.sweep
 def test_what_a_walker_keeps_up_is_the_sum_of_the_modes():
     """At midspan X_k is ±1 as Q_k/F is: Σ P_k e^{−iθ_k} of three modes has but the fifth odd mode's share to go."""
     scene = kept_problem_of("problems/8_continuous/footbridge_under_a_walker.yaml")
@@ -307,6 +316,7 @@ def test_what_a_walker_keeps_up_is_the_sum_of_the_modes():
     assert sum(lines[f"steady mode {k}"].value for k in (1, 3, 5)) == pytest.approx(0.810256955e-3, rel=1e-3)
 
 
+@pytest.mark.sweep
 def test_a_start_in_one_mode_is_of_that_mode_alone():
     """Not 6e-16 of the third that the load moves, which is what rounds in the integral of the shape by the start."""
     text = told(worked(problem("""
@@ -330,6 +340,7 @@ def test_what_carries_a_member_has_its_balance_once():
     assert [line for line in text if "k·x" in line] == ["what it is held to:  m·ẍ + k·x = EI·∂³u/∂ξ³ of mast at ξ = 0"]
 
 
+@pytest.mark.sweep
 def test_a_motion_that_symmetry_leaves_at_rest_is_0():
     text = told(worked(problem("""
         parameters: {L: 6 m, EI: 6.4 MN*m^2, mu: 60 kg/m, k: 20 MN/m^2, c: 40 kN*s/m^2, F: 100 kN}

@@ -361,6 +361,7 @@ def test_the_determinant_with_gyroscopic_terms(path):
     assert lines["omega[1]"].value == pytest.approx(p["omega[1]"].value) and lines["omega[1]"].node is not None
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["5_forced/trailer_over_a_half_sine_bump",
                                   "7_forced_two_degrees/car_over_a_bump_with_both_axles"])
 def test_a_stretch_along_what_drives_it_has_no_root(name):

@@ -65,6 +65,7 @@ def test_the_same_in_numbers():
     assert of["mean(s.force*x')"].node is not None and shown(of["mean(s.force*x')"]).endswith("= 0 W")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("wave", ["sin", "cos"])
 def test_means_of_two_degrees(wave):
     of = told(TWO.replace("WAVE", wave))

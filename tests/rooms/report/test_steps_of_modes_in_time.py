@@ -64,6 +64,7 @@ def test_an_envelope_of_two_modes_in_numbers():
     assert of["max(envelope(y))"].node is not None and of["max(envelope(y))"].value == pytest.approx(0.01, rel=1e-9)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("signal", "zero"), [("exp(x/(1 m))", "0"), ("x*x'", "0 m^2/s"), ("2*x + y", "0 m")])
 def test_rates_of_expressions_are_told_as_they_are_written(signal, zero):
     """Those of functions ended as an error of its own."""

@@ -155,6 +155,7 @@ ONE = TWO.replace(", P: 8 N", "").replace("force: F*(step(t) - step(t - t1))", "
 ONE = "".join((ONE[:ONE.index(", g: {{")], "}}", ONE[ONE.index("\nanswers"):]))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("damping", "c", "start"), [
     (COUPLED, 6, (0, 0, 0, 0)), (STARTED, 6, (0.01, 0, 0, -0.2)), (COUPLED.replace("6 N", "-6 N"), -6, (0, 0, 0, 0)),
     (STARTED.replace("6 N", "60 N"), 60, (0.01, 0, 0, -0.2)), (STARTED[len(COUPLED) + 1:], 0, (0.01, 0, 0, -0.2))])
@@ -179,6 +180,7 @@ def test_pieces_and_a_start_where_damping_couples_the_modes(damping, c, start, l
     assert len({line.number for line in of.values()}) <= 60
 
 
+@pytest.mark.sweep
 def test_lines_of_complex_modes_have_the_numbers_of_their_matrices():
     """By hand: λ by numpy of the companion matrix, u·Q over u·(2λM + C)·u."""
     scene = problem(ONE.format(damping=COUPLED, load="F*step(t)"))

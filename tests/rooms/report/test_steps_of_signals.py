@@ -5,8 +5,8 @@ import math
 from pathlib import Path
 
 import pytest
-from support.scenes import kept_problem_of, problem
-from support.worked_lines import told_later
+from support.scenes import kept_problem_of, kept_settled_of, problem
+from support.worked_lines import Checked, told_later
 
 from vibcli.notation.plain import plain
 from vibcli.report.formats.formula import formula
@@ -49,6 +49,7 @@ def value_of(lines, asked):
     return evaluate([lines[asked].node], Floats, known)[0]
 
 
+@pytest.mark.sweep
 def test_values_and_beats_of_two_oscillators_by_hand():
     """Mass a is struck; x ± y swing by themselves."""
     lines = lines_of(two("AVT", "initial: {x: A, x': V}\nanswers: {x(T): 0 m, s.stretch(T): 0 m, r.force(T): 0 N,"
@@ -113,6 +114,7 @@ def test_letters_that_leave_the_order_of_frequencies_open_leave_the_motion():
     assert "told in numbers alone (--set):  x(T)" in text_of(lines[""]) and "motion of x" not in lines
 
 
+@pytest.mark.sweep
 def test_where_several_coordinates_start_as_a_force_lets_go():
     lines = lines_of(two("P", (
         "forces: {pull: {at: b, force: P}}\ninitial: {released: pull}\nanswers: {x(0 s): 0 m}")))
@@ -126,7 +128,7 @@ def test_lags_and_responses_at_a_frequency_with_a_unit():
                   mean(d.power): 1 W, mean(x^4): 1 m^4}
     """)
     assert plain(lines["phase(x)"].node) == "atan2(c·W, k − m·W²)"
-    assert text_of(lines["abs(frf[x, f](40 Hz))"]).endswith("with  Ω = 80·π rad/s:  1/√((m·Ω² − k)² + c²·Ω²)")
+    assert text_of(lines["abs(frf[x, f](40 Hz))"]).endswith("with  Ω₁ = 80·π rad/s:  1/√((m·Ω₁² − k)² + c²·Ω₁²)")
     assert plain(lines["peak[1](frf[x, f]).Omega"].node) == "√(k/m − c²/(2·m²))"
     assert plain(lines["mean(d.power)"].node) == "c·W²·X²/2" and plain(lines["mean(x^4)"].node) == "3·X⁴/8"
     assert not any("told in numbers alone" in text_of(line) for line in lines.values())
@@ -150,6 +152,7 @@ def test_what_is_damped_so_that_it_just_does_not_swing_moves_so_once_that_is_cho
         "1/δ", "B·exp(−1)/δ", "k·B·exp(−1)/δ", "(T·B + A)·exp(−T·δ)"]
 
 
+@pytest.mark.sweep
 def test_letters_of_multipliers_and_of_forces_are_told_before_they_are_used():
     thread = """
         parameters: {m: 0.4 kg, L: 1.1 m, g: 9.81 m/s^2}
@@ -213,6 +216,7 @@ def test_passages_through_zero_in_letters():
     assert {asked: evaluate([lines[asked].node], Floats, known)[0] for asked in wanted} == pytest.approx(wanted)
 
 
+@pytest.mark.sweep
 def test_two_modes_whose_frequencies_have_long_formulas_have_letters():
     lines = lines_of("""
         parameters: {m: , n: , k: , q: , A: , V: , T: }
@@ -244,6 +248,7 @@ def test_harmonics_of_a_square_wave_that_are_asked_in_letters():
     assert not any(line.startswith("harmonic[1]") for line in lines)
 
 
+@pytest.mark.sweep
 def test_the_force_of_a_thread_that_swings_wide_is_derived():
     """m(v²/L + g cos α) of the ball at any place of its circle, by Newton, from the line of its multiplier."""
     path = Path("problems/3_free_undamped/ball_let_go_on_a_thread.yaml")
@@ -257,3 +262,20 @@ def test_the_force_of_a_thread_that_swings_wide_is_derived():
     assert found == pytest.approx(m * (speed**2 / L + g * math.cos(alpha)), rel=1e-12)
     assert text_of(lines["thread.force"]).startswith("by these and the equations  thread.force = λ_thread = ")
     assert text_of(lines["rate[thread]"]).endswith("x·ẍ/L − ÿ + y·ÿ/L + ẋ²/L + ẏ²/L = 0")
+
+
+@pytest.mark.parametrize(("name", "asked", "told"), [
+    ("motor_raised_on_a_hinged_beam", "amplitude(s.force + d.force)", "L·X·√(k² + c²·Ω²) = "),
+    ("seismograph_with_level_boom", "amplitude(weight.y - frame.y)", "L·X"),
+    ("compressor_to_be_isolated", "amplitude(ground.force)", "4·X·√(c²·Ω² + k²) = 90 N"),
+    ("inerter_under_a_machine", "amplitude(ground.force)", "|k₂·X₁| = "),
+    ("inerter_under_a_machine", "amplitude(i.force)", "|b·Ω²·(X₁ − X₂)| = "),
+    ("block_between_two_shaken_walls", "amplitude(s1.force)", "|k₁·X·exp(−i·θ) − k₁·Y₁| = ")])
+def test_amplitudes_of_signals_go_by_the_letter_of_that_of_the_coordinate(name, asked, told):
+    """A force of the ground too, and one that accelerations add to."""
+    path, = Path("problems").glob(f"*/{name}.yaml")
+    found = kept_settled_of(path)
+    lines = worked(found)
+    line = next(line for line in lines if line.settles == asked)
+    assert formula(line.parts, plain).partition(":  ")[2].startswith(told)
+    assert not Checked(found, lines).wrong

@@ -68,6 +68,7 @@ def followed(lines, known):
     return known
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("scene", [TWO, ROW], ids=["two", "three"])
 @pytest.mark.parametrize("damped", [True, False], ids=["damped", "undamped"])
 @pytest.mark.parametrize("load", ["F*sin(w*t)", "2*F*cos(w*t)", "F*sin(w*t) - 3*F*cos(w*t)"])
@@ -123,6 +124,7 @@ dampers: {d1: {c: c, between: [rear, A]}, d2: {c: c, between: [front, B]}}
 """
 
 
+@pytest.mark.sweep
 def test_supports_that_are_not_where_they_are_drawn_at_first_are_told_to_the_first_order():
     """The springs are undeformed where the supports are drawn, not where these are at t = 0."""
     lines = worked(problem(CAR))
@@ -200,6 +202,7 @@ AXLES = {"m": (1200, "kg"), "i": (1.2, "m"), "a": (1.2, "m"), "b": (1.4, "m"), "
          "c1": (2e3, "kg/s"), "c2": (2e3, "kg/s"), "h": (0.02, "m"), "W": (5, "m"), "v": (20, "m/s")}
 
 
+@pytest.mark.sweep
 def test_axles_that_lag_are_loads_of_one_frequency():
     """Held against the complex equations, put up by hand with a phase of the rear axle."""
     m, i, a, b, k1, k2, c1, c2, h, W, v = (value for value, _ in AXLES.values())

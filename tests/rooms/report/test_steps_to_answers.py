@@ -61,6 +61,7 @@ def test_what_answers_ask_of_a_motion_is_told_side_by_side():
     assert last == ["max(y):  R·A·exp(−π·δ/ω_d) = 0.0339466 m", "decrement(y):  2·π·δ/ω_d = 0.285376"]
 
 
+@pytest.mark.sweep
 def test_a_contact_force_that_is_asked_at_rest_is_told_there():
     told_ = told("4_free_damped/roller_with_a_dashpot_at_its_top.yaml")
     assert "by the balance at rest  roller.normal = m·g·cos α = 55.3103 N" in told_
@@ -81,6 +82,7 @@ def test_a_load_that_changes_with_the_time_is_no_part_of_a_contact_force_at_rest
     assert plain(line.node) == "m·g + G" and line.value == pytest.approx(value(found, "equilibrium[roller.normal]"))
 
 
+@pytest.mark.sweep
 def test_places_in_closed_loops_count_from_rest():
     lines = told("4_free_damped/cam_and_follower_at_rest.yaml")
     assert any("C = (0, y + h + y₀)" in one for one in lines) and any("Δ_press = −y = −b₁·φ" in one for one in lines)

@@ -71,6 +71,7 @@ def test_it_stands_so_in_all_notations(scene):
     assert plain.with_values({"k": "1200"})(node) == "0.03·1200"
 
 
+@pytest.mark.sweep
 def test_balances_in_numbers_have_units():
     """Of moments forces have arms in metres, of forces they have none."""
     found = kept_problem_of(Path("problems/1_statics_and_energy/jib_crane_with_winch.yaml"))
@@ -78,3 +79,16 @@ def test_balances_in_numbers_have_units():
     assert told["balance[phi]"].endswith("−(4.74342 m)·S_tie − (1.71758 m)·S_rope_1 + (6 m)·S_rope_2 + 12360.6 N·m = 0")
     assert told["balance[mast.reaction.y]"] == "mast.reaction.y = S_rope_2 + 4120.2 N"
     assert told["balance[jib.reaction.x]"] == "jib.reaction.x = 0.948683·S_tie + 0.979117·S_rope_1"
+
+
+def test_numbers_of_the_file_have_their_units_beside_members():
+    """In what holds them, in the frequency equation, and in what two modes are orthogonal by."""
+    lines = [formula(line.parts, plain).replace("\u00a0", " ") for line in worked(problem("""
+        parameters: {L: 2 m, EA: 3 MN, u0: 1 mm}
+        bars: {b: {length: L, EA: EA, mass_per_length: 2 kg/m, left: clamped, attached: [{mass: 5 kg, at: L}]}}
+        initial: {b.u: u0*x/L}
+        answers: {b.u(L)(0.01 s): 0 m}
+    """))]
+    for told in ("at x = L:  EA·∂u/∂x = −(5 kg)·∂²u/∂t²", "so the frequency equation:  βL·tan βL = L/(2.5 m)",
+                 "two modes are orthogonal:  ∫(2 kg/m)·X_i·X_j·dx + (5 kg)·X_i(L)·X_j(L) = 0, ω_i ≠ ω_j"):
+        assert told in lines

@@ -97,12 +97,14 @@ def test_it_is_noted_where_numbers_without_their_units_stand_beside_letters(name
     assert (SI in str(section.blocks[-1])) is noted
 
 
+@pytest.mark.sweep
 def test_a_condition_that_gives_a_coordinate_is_told_once():
     lines = of("platform_on_three_rods")
     assert sum("by the constraints" in line for line in lines) == 2
     assert [line.split()[0] for line in lines if "holds:" in line] == ["'second'", "'third'"]
 
 
+@pytest.mark.sweep
 def test_a_body_that_does_not_turn_to_the_first_order_has_no_energy_of_turning():
     assert "T_platform = M·v_platform²/2 = M·(X² + H²)·φ̇²/2" in of("platform_on_three_rods")
 
@@ -114,6 +116,7 @@ def test_how_it_is_damped_is_said_in_words():
         assert next(line for line in told(problem(scene % c)) if line.startswith("ζ")).endswith(words)
 
 
+@pytest.mark.sweep
 def test_a_quotient_of_forces_is_no_angle():
     assert any(line.endswith("max(|cylinder.friction|/cylinder.normal) = 0.397251") for line in of(
         "cylinder_rolls_in_a_gutter"))
@@ -140,6 +143,7 @@ def test_numbers_are_put_into_the_formula_of_two_roots():
     assert any(line.endswith("= (9.99e7 ∓ 4.42833e7)/1.62e6") for line in of("car_bounce_and_pitch"))
 
 
+@pytest.mark.sweep
 def test_a_number_is_told_once():
     """N = 4 N, not 4 = 4 N; an acceleration 0 m/s² without another zero before it."""
     loaded = "bodies: {a: {mass: 2 kg, slide: x}}\nsprings: {s: {k: 800 N/m, between: [ground, a]}}\n"

@@ -53,6 +53,7 @@ def placed_in(head, found, piece):
                                     for placed in places)
 
 
+@pytest.mark.sweep
 def test_none_is_told_where_it_is_not_real():
     """A heavy tip draws the first mode below √(k/μ); the tension of a hanging chain varies."""
     heavy = problem(f"beams: {{b: {{{ONE}, foundation: 90000, attached: [{{at: 1.2, mass: 90}}]}}}}")

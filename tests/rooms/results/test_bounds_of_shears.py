@@ -143,6 +143,7 @@ def compared(seed, monkeypatch):
     return refused
 
 
+@pytest.mark.sweep
 def test_moments_shears_and_rates_of_a_stepped_beam_are_within_their_bounds(monkeypatch):
     assert compared(1, monkeypatch) == 2
 
@@ -196,6 +197,7 @@ def test_what_moves_a_support_has_to_begin_smoothly(monkeypatch):
     assert found.error(0.33) <= 1e-6 * abs(found.values(t)[0])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("asked", ["rms(arm.shear(0 m))", "max(steady(arm.shear(0 m)))"])
 def test_what_repeats_itself_with_jumps_has_no_later_on(asked, monkeypatch):
     monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})
@@ -221,6 +223,7 @@ def test_a_mean_square_of_what_has_no_bound_is_refused():
         _ = vibcli.loads(UNIFORM + STEP)["rms(arm.shear(0 m))"].value
 
 
+@pytest.mark.sweep
 def test_texts_and_data_tell_bounds_and_why_there_is_none(tmp_path, monkeypatch, capsys):
     """Of the first 128 modes: max(arm.moment(0 m)) is 2.4485(6), which check told to nine digits."""
     monkeypatch.setattr(modal_response, "MOST", {True: 128, False: 128})

@@ -147,6 +147,7 @@ def test_a_touch_of_zero_counts_in_small_motions_as_in_full_ones():
     assert value(small, "zero[2](T)") == pytest.approx(np.pi / np.sqrt(99.75), abs=1e-7)
 
 
+@pytest.mark.sweep
 def test_what_changes_sign_only_by_jumps():
     one = scene(1, 3)
     assert value(one, "max(sign(x))") == 1.0 and value(one, "min(sign(x))") == -1.0

@@ -39,6 +39,7 @@ def by_few(response):
     return response
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text", SIGNALS)
 def test_extremes_by_waves_and_by_modes_agree_within_their_bounds(struck, by_modes, text):
     modal, waves = signal(by_modes, text), signal(struck.response, text)
@@ -55,6 +56,7 @@ def test_extremes_by_waves_and_by_modes_agree_within_their_bounds(struck, by_mod
             assert abs(t - instant) <= modal.error_of_time(t) + waves.error_of_time(instant)
 
 
+@pytest.mark.sweep
 def test_where_a_function_of_waves_bends_it_is_divided_at_once():
     fast = problem(ROD % "sin(40 rad/s*t)").response
     up, down = (signal(fast, "rod.u(L)").extreme(0.0, 5.0, sense)[1] for sense in (1, -1))

@@ -87,6 +87,7 @@ def test_a_bar_whose_modes_without_end_creep(held):
         assert abs(value - expected) <= error < 5e-8
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("drag", [0, 6, 90])
 @pytest.mark.parametrize("name", ["arm.u(L)", "arm.moment(0 m)"])
 def test_a_cantilever_with_a_mass_a_spring_and_a_damper_at_its_end(name, drag):
@@ -100,6 +101,7 @@ def test_a_cantilever_with_a_mass_a_spring_and_a_damper_at_its_end(name, drag):
         assert error <= 1e-8 * size
 
 
+@pytest.mark.sweep
 def test_drag_in_proportion_to_mass_is_what_damping_gives():
     """Also where nothing but members has mass, and no damper stands beside them."""
     cord = ("strings: {cord: {length: 2 m, preload: 200 N, mass_per_length: 0.5 kg/m, left: clamped, right: clamped"
@@ -119,6 +121,7 @@ def _decayed(omega, alpha, beta, t):
     return np.exp(-decay * t) * (np.cos(turn * t) + decay / turn * np.sin(turn * t))
 
 
+@pytest.mark.sweep
 def test_a_cantilever_let_go_is_at_rest_less_what_a_step_brings():
     let_go, pushed = (signal(text, "arm.u(L)") for text in (
         ARM.rstrip(" ") + "    initial: {released: f}\n", ARM.replace("10 N", "10 N*step(t)")))

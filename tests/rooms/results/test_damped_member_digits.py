@@ -64,6 +64,7 @@ def test_of_ratios_they_are_refused():
         curve("{modal: 2 %}", "arm.u(L)", "push")
 
 
+@pytest.mark.sweep
 def test_at_no_frequency_nothing_is_found():
     transfer = problem(SCENE.replace("{DAMPING}", "{modal: 1.2}")).frequency_response("arm.u(L)", "push").transfer
     assert [len(part) for part in transfer.at(np.zeros(0), True)] == [0, 0, 0]

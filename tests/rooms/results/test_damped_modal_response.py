@@ -67,6 +67,7 @@ def test_a_string_on_a_shaken_hand_agrees_with_waves(monkeypatch):
         """, "cord.u(L/3)", WaveResponse, 1e-5)
 
 
+@pytest.mark.sweep
 def test_drag_that_damps_each_mode_by_itself():
     compared(BEAM % "drag: 3 N*s/m^2, left: pinned, right: pinned" + "initial: {arm.u: 2 mm*sin(pi*x/L)^3}\n",
              "arm.u(0.3*L)", ModalResponse, 1e-12)
@@ -80,6 +81,7 @@ def transfer(s, c):
     return own / (1 + c * s * own)
 
 
+@pytest.mark.sweep
 def test_a_smooth_push_at_a_damper_by_the_integral_of_bromwich():
     found = signal(DampedModalResponse, problem(TIP + "forces: {pull: {at: tip, force: 1 N*(t/(1 s))^6*exp(-4*t/(1 s))}"
                                                       "}\n"), "arm.u(L)")
@@ -95,6 +97,7 @@ def test_a_smooth_push_at_a_damper_by_the_integral_of_bromwich():
 CRITICAL = 1.6572548969298002       # N s/m at which λ = −3.7325751437 is double: 1/transfer and its slope are 0 there
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("aside", [0.0, 1e-12, *(pytest.param(a, marks=pytest.mark.sweep)
                                                for a in (-1e-12, 1e-8, -1e-6, 1e-4, -1e-4, 1e-3, -1e-3, 3e-3))])
 def test_at_and_beside_critical_damping(aside):
@@ -144,6 +147,7 @@ def test_two_critically_damped_members_that_are_tied_weakly(k, name, sign, monke
     assert bounds.max() <= 1e-4 * size
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("c", ["0.05", "2"])
 def test_what_rounds_at_a_free_end_is_within_what_modes_lose(c):
     text = TIP.replace("0.7", c) + "forces: {pull: {at: tip, force: 1 N*exp(-t/(1 s))}}\n"
@@ -217,6 +221,7 @@ def test_what_lets_no_wave_come_back_is_told():
         signal(lambda one: one.response, scene, "cord.u(L)").values(TIMES)
 
 
+@pytest.mark.sweep
 def test_modes_that_are_not_found_leave_those_found_as_they_are(monkeypatch):
     """Of a bar with a damper at its end λ = (−½ ln((1 + r)/(1 − r)) ± i (n − ½) π) c₀/L."""
     found = damped_series.damped_series

@@ -40,6 +40,7 @@ def by_modes(x, t, c, k, along, held=1.0):
     return held * still + (1 - 2 * held) * (shape * free * window)[::-1].sum()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("c", "k"), [(0.2, 0.0), (2.0, 1.0), (0.0, 30.0)])
 def test_a_bar_after_a_step(c, k):
     rest = ", ".join([f"drag: {c} N*s/m^2"] * bool(c) + [f"foundation: {k} N/m^2"] * bool(k))
@@ -62,6 +63,7 @@ def test_one_let_go():
         assert off <= found.error(1.5) + 1e-13 <= 1e-10
 
 
+@pytest.mark.sweep
 def test_fronts_stay_sharp_and_fade():
     """e^{−ct/2μ} of what they were; behind them the force still grows."""
     found = signal(problem(BAR.replace("REST", "drag: 0.2 N*s/m^2") + STEP + "find: [{response: {until: 2.5 s}}]\n"),
@@ -86,6 +88,7 @@ points: {tip: {body: rod, at: L}}
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("moved", "rest"), [
     ("a*sin(2 rad/s*t)", ""), ("0*a", "forces: {blow: {body: rod, per_length: 1 N/m*x/L*cos(3 rad/s*t)}}\n"),
     ("0*a", "forces: {pull: {at: tip, force: F*(step(t - 0.2 s) - step(t - 0.5 s))*exp(-t/(1 s))}}\n"),
@@ -101,6 +104,7 @@ def test_a_stepped_bar_moves_as_its_modes_do(moved, rest):
         assert off <= found.error(1.37) < 1e-2
 
 
+@pytest.mark.sweep
 def test_what_is_not_followed_goes_by_modes(monkeypatch):
     monkeypatch.setattr(ModalResponse, "limit", 0)
     ramp = problem(BAR.replace("REST", "drag: 0.2 N*s/m^2") + STEP.replace("step(t)", "sin(t/(1 s))"))
@@ -147,6 +151,7 @@ def compared(scene, text, t, value):
     assert abs(found.values(np.array([t]))[0] - float(value)) <= found.error(t) + 1e-15 <= 1e-10
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("c", "k"), [(2.0, 1.0), (0.4, 5.0)])
 def test_rates_blows_and_starts_with_a_velocity(c, k):
     bar, t = BAR.replace("REST", f"drag: {c} N*s/m^2, foundation: {k} N/m^2"), mpmath.mpf("1.7")
@@ -164,6 +169,7 @@ def test_rates_blows_and_starts_with_a_velocity(c, k):
     compared(moving, "rod.u'(L)", 1.7, rate)
 
 
+@pytest.mark.sweep
 def test_extremes_are_read_of_waves_where_modes_leave_them_open():
     scene = problem(BAR.replace("REST", "drag: 0.2 N*s/m^2") + STEP + "find: [{response: {until: 5 s}}]\n")
     top, error = measure(scene, with_places(parse("max(rod.u(L))"), scene.spec.members))

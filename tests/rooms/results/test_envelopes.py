@@ -38,6 +38,7 @@ def arrow(k, c, x, v):
     return mpmath.mpc(x, (rate.real * x - v) / rate.imag), rate
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(12))
 def test_an_envelope_is_the_length_of_two_arrows(seed):
     given = drawn(seed)

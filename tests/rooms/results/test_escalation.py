@@ -87,6 +87,7 @@ def test_what_is_kept_of_a_signal_is_found_once(monkeypatch):
     assert first == second and len(sought) == 2
 
 
+@pytest.mark.sweep
 def test_quantities_to_digits():
     found = problem(SCENE)
     for answer in found.spec.answers:

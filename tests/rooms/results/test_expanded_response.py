@@ -98,6 +98,7 @@ def test_the_report_tells_the_equations_of_the_expansion_with_dampers_and_loads(
     assert "agrees in 1 file" in answered(capsys, tmp_path, ["check"], DRIVEN)
 
 
+@pytest.mark.sweep
 def test_equations_about_a_deformed_position_count_from_it_and_as_data_from_the_drawn_one(capsys, tmp_path):
     """s: k + 3 g₃ y₀² and 3 g₃ y₀ of the hardening spring; the other one by SymPy."""
     y, m, k, g3, g = sympy.symbols("y"), 2, 300, 4000, sympy.Rational(981, 100)
@@ -112,6 +113,7 @@ def test_equations_about_a_deformed_position_count_from_it_and_as_data_from_the_
     assert "about the equilibrium, the coordinates counted from it\n  y:  2·ÿ + " in out
 
 
+@pytest.mark.sweep
 def test_the_period_stands_beside_the_exact_one_as_data(capsys, tmp_path):
     found = json.loads(answered(capsys, tmp_path, ["response", "--json"], HUNG))["response"]["periods"]
     assert found["coordinate"] == "y" and found["reason"] is None
@@ -129,6 +131,7 @@ def test_a_spring_with_a_gap_is_expanded_on_its_side_of_it():
     assert letters.symbolic.equations.unexpanded is not None
 
 
+@pytest.mark.sweep
 def test_what_changes_with_the_time_stands_in_numbers_about_a_deformed_position(capsys, tmp_path):
     """A spring whose upper end is moved by h sin(Ω t): no more than k h sin(Ω t) on the right side."""
     text = """
@@ -149,6 +152,7 @@ def test_what_changes_with_the_time_stands_in_numbers_about_a_deformed_position(
     assert f"y:  2·ÿ + {linear:.9f}·y − {-quadratic:.10f}·y² + {cubic:.10f}·y³ = 6·sin(Om·t)" in out
 
 
+@pytest.mark.sweep
 def test_full_equations_and_expanded_ones_differ_by_the_fourth_order(tmp_path):
     """With a shaken support, a load that follows the motion and a record, about a deformed position."""
     (tmp_path / "ag.csv").write_text("t,a\n0,0\n0.5,2\n1,-1\n2,0\n", encoding="utf-8")

@@ -42,6 +42,7 @@ def by_sympy(order):
     return found
 
 
+@pytest.mark.sweep
 def test_equations_of_a_pendulum_on_a_cart_are_those_of_sympy():
     *_, numbers = expansions(problem(PENDULUM_ON_CART), 6)
     for name, found in zip(("x", "phi"), numbers.equations, strict=True):
@@ -120,6 +121,7 @@ def test_what_springs_store_by_their_material_and_by_their_geometry_is_told_apar
                 2 * parts[1].get(powers, 0.0), rel=1e-10, abs=1e-9)
 
 
+@pytest.mark.sweep
 def test_shares_of_springs_are_data_and_a_refusal_tells_why(capsys, tmp_path):
     file = tmp_path / "scene.yaml"
     file.write_text(OBLIQUE + "dampers: {d: {c: 2 N*s/m, between: [[0, 1 m], p]}}\nfind: [expansion]\n",
@@ -141,6 +143,7 @@ def test_shares_of_springs_are_data_and_a_refusal_tells_why(capsys, tmp_path):
     assert data["V"] is None and data["reason"].startswith("'s' has a kink")
 
 
+@pytest.mark.sweep
 def test_corrections_in_letters():
     """Kovacić & Radomirović 2018, 9.5: δ₁ = cos a, δ₂ = sin²a/2l, δ₃ = −cos a sin²a/2l² of an oblique spring."""
     text = ("parameters: {m: {unit: kg}, k: {unit: N/m}, b: {unit: N/m^2}, c: {unit: N/m^3}, l: {unit: m}, a: "
@@ -170,6 +173,7 @@ def test_a_kink_has_no_expansion():
         expansions(problem(text), 4)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("length", ["1e-4", "1", "1e4"])
 def test_no_term_of_a_deflection_is_lost_by_the_size_of_a_scene(length):
     """√((l − x)² + l²) of a spring at 45°."""

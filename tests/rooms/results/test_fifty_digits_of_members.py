@@ -42,6 +42,7 @@ SCENES = {      # {name: (scene, its frequency function, the first mode that is 
 }
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", SCENES)
 def test_one_member(name):
     text, condition, first = SCENES[name]
@@ -54,6 +55,7 @@ def test_one_member(name):
             assert abs(mode.omega / exact - 1) <= mode.error < 1e-50
 
 
+@pytest.mark.sweep
 def test_a_portal_frame():
     keys = "EI: 5 N*m^2, mass_per_length: 2 kg/m"
     found = problem(f"""

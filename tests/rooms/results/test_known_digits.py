@@ -64,6 +64,7 @@ def test_a_bound_is_measured_by_what_the_value_is_one_of(value, error, size, kno
             require_digit(value, error, size, "ask")
 
 
+@pytest.mark.sweep
 def test_texts_data_answers_and_the_python_door_say_why_a_value_is_not_known(monkeypatch):
     scene = cantilever(f"answers: {{arm.u''(0.4*L)({EARLY}): 3 m/s^2}}\n")
     small, fast = signals_asked(scene)
@@ -92,6 +93,7 @@ def test_texts_data_answers_and_the_python_door_say_why_a_value_is_not_known(mon
         require_certified(scene, ["response"], wanted=Wanted((fast,), at=(instant,)))
 
 
+@pytest.mark.sweep
 def test_samples_are_blank_where_no_digit_is_known(monkeypatch):
     scene = cantilever()
     one = signals_asked(scene)[0].signal
@@ -103,6 +105,7 @@ def test_samples_are_blank_where_no_digit_is_known(monkeypatch):
         sampled(scene, Wanted(points=501))
 
 
+@pytest.mark.sweep
 def test_what_symmetry_keeps_at_zero_is_told_and_so_is_a_passage():
     held = problem(ARM.replace("LEFT", "pinned").replace("RIGHT", "pinned").replace("AT", "mid"))
     slope = signal(held, "arm.slope(L/2)")
@@ -124,6 +127,7 @@ def test_lumped_signals_follow_the_same_rule():
         value_of_signal(moving, 1e20)
 
 
+@pytest.mark.sweep
 def test_an_extreme_of_which_no_digit_is_known_is_refused(monkeypatch):
     scene = cantilever("answers: {max(arm.u(L)): 1 mm}\n")
     one = signals_asked(scene)[0].signal
@@ -133,6 +137,7 @@ def test_an_extreme_of_which_no_digit_is_known_is_refused(monkeypatch):
     assert check(scene)[0].remark.startswith("not known")
 
 
+@pytest.mark.sweep
 def test_a_diagram_of_forces_of_which_no_digit_is_known_is_refused(monkeypatch):
     scene = cantilever()
     monkeypatch.setattr(ModalSignal, "error", lambda self, t: 3e8 if self.reads.places and 3 in [
@@ -142,6 +147,7 @@ def test_a_diagram_of_forces_of_which_no_digit_is_known_is_refused(monkeypatch):
     assert any("the shear of arm is not found: no digit of this value is known" in one for one in told)
 
 
+@pytest.mark.sweep
 def test_values_of_what_dies_out_beyond_floats_are_read_by_fewer_modes():
     fast = signals_asked(cantilever())[1].signal
     assert fast.read_at(1e-7).modal.count >= fast.modal.count

@@ -28,6 +28,7 @@ def compared(scene, text, value):
     assert abs(found - value) <= error * abs(found) <= 1e-11 * abs(found), text
 
 
+@pytest.mark.sweep
 def test_functions_of_what_waves_bring_back():
     scene = problem(BAR)
     for text, value in {"mean(rod.u(L)^2)": 1e-6 / 3, "mean(abs(rod.u(L)))": 5e-4, "mean(rod.u(L)^4)": 1e-12 / 5,
@@ -35,6 +36,7 @@ def test_functions_of_what_waves_bring_back():
         compared(scene, text, value)
 
 
+@pytest.mark.sweep
 def test_squares_and_products_of_what_goes_by_modes():
     scene, force = problem(BEAM), 3 * 24 * 0.01
 

@@ -20,12 +20,14 @@ DAMPED = BEAM.replace("left: clamped", "left: clamped, right: {c: 3 N*s/m}")
 PLANE = BEAM.replace("{length: 2 m,", "{from: [0, 0], to: [2 m, 0], EA: 4 MN,").replace("10 N*%s", "[0 N, 10 N*%s]")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("scene", [BEAM, DAMPED, PLANE])
 def test_a_load_that_begins_late(scene):
     late, early = (vibcli.loads(scene % load)["max(b.u(2 m))"] for load in ("step(t - 50 s)", "step(t)"))
     assert late.value == pytest.approx(early.value, rel=1e-3) and early.value > 1.2e-2
 
 
+@pytest.mark.sweep
 def test_waves_of_a_load_that_begins_late():
     assert vibcli.loads(BAR % "step(t - 0.5 s)")["max(b.u(2 m))"].value == pytest.approx(1e-5, rel=1e-12)
 
@@ -67,6 +69,7 @@ def test_a_place_that_loops_give_is_no_function_of_the_time_alone():
     assert load_times(scene.scene, scene.numeric.floats, scene.work).speeds == [3.0]
 
 
+@pytest.mark.sweep
 def test_a_load_that_begins_late_leaves_phases_as_old_as_they_are():
     """A mode that swings 230,000 times before a load of 1e-9 N sets in: then, too, its phase is a million roundings."""
     scene = vibcli.loads("""
@@ -92,6 +95,7 @@ damping: {modal: 2 %%}
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("h", ["1e-6", "1e-10"])
 def test_a_short_push_leaves_little_of_two_steps(h):
     """η̈ + 2ζω η̇ + ω² η = φ (F(t) − F(t − h)) to 40 digits."""
@@ -109,6 +113,7 @@ def test_a_short_push_leaves_little_of_two_steps(h):
         assert abs(found.value - true) <= found.error <= 1e-16
 
 
+@pytest.mark.sweep
 def test_a_beam_that_is_pushed_away_and_back_lies_where_it_lay():
     """Pushes 1, −1, −1, 1 of 100.1 s bring 10,020 m back to nothing."""
     pushes = "step(t) - 2*step(t - 100.1 s) + 2*step(t - 300.3 s) - step(t - 400.4 s)"

@@ -91,6 +91,7 @@ def image(x):
     return sign, np.minimum(x, 2 * LENGTH - x)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text, until, signals", SCENES.values(), ids=SCENES)
 def test_modes_agree_within_their_bounds(text, until, signals):
     one = problem(f"{text}find: [{{response: {{of: [{', '.join(signals)}], until: {until} s}}}}]")
@@ -103,6 +104,7 @@ def test_modes_agree_within_their_bounds(text, until, signals):
         assert abs(found).max() > 0 and (abs(found - other.values(times)) <= bounds).all()
 
 
+@pytest.mark.sweep
 def test_a_wave_that_is_square_is_a_sum_of_steps():
     """Half a period is a tenth of the way: so many leaps are on the rod at once."""
     period, until = 0.2 * LENGTH / SPEED, 3.5 * LENGTH / SPEED
@@ -160,6 +162,7 @@ TWO, EA, MU, MASS, DAMPER, SPRING = 2, 3 * 10**6, 4, 2, 5000, 200000
 SWING, DECAY = 900, mpmath.mpf(1000) / 3
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("weight, image, since", [
     ("step(t - 1 ms)", lambda s: 1 / s, 0.001),
     ("exp(-t/(3 ms))*sin(900 rad/s*t)*t/(1 s)", lambda s: 2 * SWING * (s + DECAY) / ((s + DECAY)**2 + SWING**2)**2, 0),

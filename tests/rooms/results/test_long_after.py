@@ -39,6 +39,7 @@ def test_a_bar_repeats_itself_after_four_ways():
         "rms(rod.u(L) - rod.u(L))": 0.0})
 
 
+@pytest.mark.sweep
 def test_a_pulse_runs_to_and_fro_in_a_free_bar():
     """Of 0.07 s each way through 0.3 m the 0.01 s are nothing in which both are there."""
     scene = problem(BAR.replace(", %s}", "}") % "F*(step(t) - step(t - 0.07 s))")
@@ -57,6 +58,7 @@ def test_what_is_infinite_for_an_instant_has_no_mean_square():
         asked(scene, "rms(rod.force(L/2))")
 
 
+@pytest.mark.sweep
 def test_what_nothing_holds_may_come_to_stand_elsewhere():
     """F for 1 s and −F for 1 s more move a free bar of 1 kg by F T²/m; one let go at rest stays where it is."""
     loads = "F*(step(t) - 2*step(t - 1 s) + step(t - 2 s))"
@@ -65,6 +67,7 @@ def test_what_nothing_holds_may_come_to_stand_elsewhere():
     compared(problem(stretched), {"mean(rod.u(L))": 0.005, "mean(rod.u(0.2 m))": 0.005})
 
 
+@pytest.mark.sweep
 def test_what_nothing_holds_carries_its_load_in_the_mean():
     """A free bar pulled by F at its end is pulled by F x/L at x; what does not see it move on has a mean too, as beside
     another that flies away; a free beam pushed in its middle bends by F L/8 there."""
@@ -90,6 +93,7 @@ def test_what_nothing_holds_carries_its_load_in_the_mean():
     compared(beam, {"mean(rod.moment(L/2))": -0.625}, 1e-13)
 
 
+@pytest.mark.sweep
 def test_a_bar_with_a_mass_has_no_common_period():
     """βL tan βL = μL/m, a = 2 F sin²βL/(EA β (βL + sin βL cos βL))."""
     scene = problem(BAR % ("left: clamped, attached: [{at: L, mass: 0.7 kg}]", STEP))
@@ -114,6 +118,7 @@ def test_a_beam_swings_about_its_deflection():
         "mean(rod.u(L))": 1 / 60, "rms(rod.u(L))": (1 / 3600 + square) ** 0.5, "mean(rod.moment(0 m))": 5.0}, 1e-13)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("scene", [BAR % ("left: clamped, right: {c: 7 N*s/m}", STEP),
                                    BAR % ("left: clamped, drag: 3 N*s/m^2", STEP),
                                    BAR % ("left: clamped", STEP) + "damping: {modal: 2 %}\n"])
@@ -125,6 +130,7 @@ def test_what_is_damped_comes_to_the_static_deflection(scene):
         asked(found, "mean(rod.u(L))")
 
 
+@pytest.mark.sweep
 def test_what_a_damper_in_a_node_does_not_see_vibrates_on():
     """Of a bar between walls every other mode has a node in the middle."""
     scene = problem((BAR % ("left: clamped, right: clamped, attached: [{at: L/2, c: 17 N*s/m}]", STEP)).replace(
@@ -136,12 +142,14 @@ def test_what_a_damper_in_a_node_does_not_see_vibrates_on():
         asked(scene, "rms(rod.u(L/4))")
 
 
+@pytest.mark.sweep
 def test_what_nothing_moves_any_more_has_a_limit():
     """A pulse as long as a wave needs there and back leaves a bar at rest, as no load does."""
     compared(problem(BAR % ("left: clamped", "F*(step(t) - step(t - 0.4 s))")), {"final(rod.u(L))": 0.0})
     compared(problem(BAR % ("left: clamped", "0*F")), {"final(rod.u(L/2))": 0.0})
 
 
+@pytest.mark.sweep
 def test_what_grows_has_neither_limit_nor_mean():
     scene = problem(BAR % ("left: clamped, right: {c: -3 N*s/m}", STEP))
     for text in ("final(rod.u(L))", "mean(rod.u(L))"):
@@ -155,6 +163,7 @@ def test_what_grows_has_neither_limit_nor_mean():
         asked(scene, "mean(rod.u(L))")
 
 
+@pytest.mark.sweep
 def test_what_dies_out_ever_more_slowly_is_not_said_to_vibrate_on():
     """A dashpot at a body damps every mode of the bar that it ends, those far up hardly."""
     scene = problem("""\

@@ -73,6 +73,7 @@ def test_a_cantilever_let_go_is_the_sum_of_its_modes(x):
     assert highest == pytest.approx(found.values(near[near >= 0]).max(), abs=1e-11)
 
 
+@pytest.mark.sweep
 def test_a_load_that_begins_and_one_that_oscillates():
     """η̈ + b⁴ η = φ f by hand, of each mode."""
     b = roots(4000)
@@ -103,6 +104,7 @@ def test_fields_at_the_start():
         assert np.abs(found.values(TIMES) - expected).max() <= (1e-9 if rate else 1e-7) * np.abs(expected).max()
 
 
+@pytest.mark.sweep
 def test_shears_without_a_bound_are_refused():
     scene = problem(CANTILEVER + PULLED)
     with pytest.raises(PhysicsError, match="no bound"):
@@ -112,6 +114,7 @@ def test_shears_without_a_bound_are_refused():
     assert abs(moment.values(np.array([0.0]))[0] - 1) <= moment.error(0.0)
 
 
+@pytest.mark.sweep
 def test_shears_of_a_beam_whose_modes_are_damped_evenly():
     """η̈ + 2ζω η̇ + ω² η = 0 by hand; what is left out fades soon after the start."""
     zeta, b = 0.02, roots(600)
@@ -185,6 +188,7 @@ BARS = {"free": ("""\
     """, ("cord.u(L/3)", "cord.u(0.9*L)"))}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", BARS)
 def test_modes_agree_with_waves_within_their_bounds(kind):
     text, names = BARS[kind]
@@ -282,6 +286,7 @@ def test_what_rests_under_a_steady_load_has_its_extremes_at_once():
     assert tip.zeros(0.0, 50.0) == []
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("rest", "end", "name"), [
     ("forces: {push: {at: tip, force: 1 N*(step(t - 0.1 s) - step(t - 0.3 s))}}\n", 1.5, "arm.u(L)"),
     ("forces: {push: {at: tip, force: 1 N*(step(t) + step(t - 1 s))}}\ndamping: {modal: 5 %}\n", 1.2,
@@ -300,6 +305,7 @@ def test_no_error_lifts_a_motion_above_its_extreme(rest, end, name, monkeypatch)
         assert (sense * values + errors <= sense * top[1] + off * (1 + 1e-9)).all()
 
 
+@pytest.mark.sweep
 def test_an_extreme_of_what_has_no_bound_at_first_is_not_told():
     scene = problem(CANTILEVER + "damping: {modal: 5 %}\ninitial: {arm.u: 0.1*x^2/L}\n")
     found = signal(scene, "arm.moment(0 m)")
@@ -309,6 +315,7 @@ def test_an_extreme_of_what_has_no_bound_at_first_is_not_told():
         found.error_of_extreme(0.0, 1.0, top, 1)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("load", ["1 N*step(t) + 0.5 N*cos(7 rad/s*t)", "1 N*(step(t) - step(t - 0.1 s))"])
 def test_the_bound_of_modes_that_creep_holds(load):
     """Of few modes against many, in displacements, rates and moments."""
@@ -343,6 +350,7 @@ def test_what_a_load_does_to_each_mode_is_found_once(monkeypatch):
     assert len(found) == strokes
 
 
+@pytest.mark.sweep
 def test_values_need_no_sums_of_what_is_left_out_of_them(monkeypatch):
     """Whether what modes left out add has a bound is known without that bound, which is found where it is told."""
     one, found = problem("""
@@ -360,6 +368,7 @@ def test_values_need_no_sums_of_what_is_left_out_of_them(monkeypatch):
     assert 0 < signals[1].error(0.1) < np.inf and len(found[-1][2]) == 3
 
 
+@pytest.mark.sweep
 def test_forces_along_a_piece_are_read_of_one_motion(monkeypatch):
     """Those at the ends of pieces as any others, by signals of their own."""
     scene = problem(CANTILEVER.replace("length: L", "from: [0, 0], to: [L, 0]").replace(
@@ -389,6 +398,7 @@ def test_a_mean_is_known_better_than_values():
     assert 0 < off <= few.error_of_mean(0.3, 0.9) < few.error(0.3) / 10
 
 
+@pytest.mark.sweep
 def test_a_start_at_zero_that_rounds_is_a_zero():
     """A cantilever let go under a force at its tip, where modes leave 3e-14 m of nothing, never comes back to zero."""
     scene = problem("parameters: {L: 1 m}\n"

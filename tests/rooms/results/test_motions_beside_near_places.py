@@ -146,6 +146,7 @@ def test_fields_of_a_short_piece(s):
     assert max(off) < 1e-14
 
 
+@pytest.mark.sweep
 def test_answers_at_one_frequency_within_a_short_piece():
     one, s = beam("1e-5"), np.array([40j + 3, 300j])
     transfer = one.response._transfer

@@ -27,6 +27,7 @@ def stretched(tau):
     return tau if tau < 2 else 4 - tau
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("way", ALONG)
 def test_a_beam_stretches_by_waves(way):
     place, force, signal = ALONG[way]
@@ -38,12 +39,14 @@ def test_a_beam_stretches_by_waves(way):
     assert model[f"max({signal})"].value == pytest.approx(2e-5, rel=1e-14)
 
 
+@pytest.mark.sweep
 def test_the_force_within_it_leaps():
     model = loads(BEAM.replace("PLACE", "[L, 0]").replace("FORCE", "['F*step(t)', 'P*step(t)']"))
     assert [model[f"b.force(0 m)({t} ms)"].value for t in (0.9, 1.1, 2.9, 3.1)] == pytest.approx([0, 20, 20, 0])
     assert model["max(b.force(L/2))"].value == pytest.approx(20)
 
 
+@pytest.mark.sweep
 def test_what_mixes_both_is_their_sum():
     model = loads(BEAM.replace("PLACE", "[L, 0]").replace("FORCE", "['F*step(t)', 'P*step(t)']"))
     across = model["tip.y(5.5 ms)"]
@@ -62,6 +65,7 @@ def test_parts_whose_fronts_are_many_are_found_by_modes_and_at_instants_by_waves
     assert abs(top.value - 2e-5) <= top.error
 
 
+@pytest.mark.sweep
 def test_a_bar_beside_a_beam_goes_by_waves():
     model = loads("""
 parameters: {L: 1 m, EA: 1e6 N, mu: 1 kg/m, EI: 100 N*m^2, F: 10 N}
@@ -76,6 +80,7 @@ find: [{response: {of: [rod.force(0 m)], until: 20 ms}}]
     assert model["wing.u(L)(5 ms)"].value == pytest.approx(1.195713196037678e-3, rel=1e-7)
 
 
+@pytest.mark.sweep
 def test_a_beam_with_a_damper_has_the_bound_that_it_has_without_a_shaft_beside_it(monkeypatch):
     """Each by its own modes, of which few are enough to see that."""
     monkeypatch.setattr(DampedModalResponse, "most", 128)
@@ -97,6 +102,7 @@ shafts: {s: {length: L, GIo: 300 N*m^2, inertia_per_length: 1 kg*m, left: clampe
     assert two.value == pytest.approx(one.value, rel=1e-8) and two.error <= 2 * one.error < 1e-6 * abs(one.value)
 
 
+@pytest.mark.sweep
 def test_each_part_with_dampers_goes_by_its_own_modes_where_none_goes_by_waves(monkeypatch):
     """A beam with a damper beside a shaft with drag, whose many modes between its own would leave it no bound."""
     monkeypatch.setattr(DampedModalResponse, "most", 128)

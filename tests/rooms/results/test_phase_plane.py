@@ -72,6 +72,7 @@ def test_what_is_shown_is_the_turn_in_which_the_motion_starts():
     assert low < 3 * math.pi < 14 < 5 * math.pi < high < 6 * math.pi
 
 
+@pytest.mark.sweep
 def test_orbits_of_a_double_well_keep_their_energy_and_close():
     plane = spring("-k*d + b*d^3", more="initial: {x: 0.4 m}")
     m, k, b = 2, 50, 400
@@ -126,6 +127,7 @@ def test_kinds_that_linear_terms_leave_open(law, more, kind):
     assert plane.equilibria.items[0].degenerate
 
 
+@pytest.mark.sweep
 def test_play_is_a_line_of_rest():
     plane = problem("bodies: {B: {mass: 2 kg, slide: x}}\n"
                     "springs: {s: {k: 50 N/m, gap: 3 mm, between: [ground, B]}}\ninitial: {x': 0.1 m/s}").phase_plane
@@ -136,6 +138,7 @@ def test_play_is_a_line_of_rest():
     assert plane.own.period[0] == pytest.approx(2 * math.pi / 5 + 4 * 0.003 / 0.1, rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_orbits_of_a_damped_mass_are_those_of_two_exponentials():
     plane = spring("k*d", damper(30) + "initial: {x: 0.1 m, x': 2 m/s}")
     slow, fast = (-15 + math.sqrt(125)) / 2, (-15 - math.sqrt(125)) / 2
@@ -148,6 +151,7 @@ def test_orbits_of_a_damped_mass_are_those_of_two_exponentials():
     assert np.ptp(kept(own.q, own.v)[apart]) < 1e-6 and apart.sum() > 20
 
 
+@pytest.mark.sweep
 def test_manifolds_of_a_linear_saddle_are_straight():
     plane = spring("-k*d", damper(5) + "initial: {x: 0.1 m}")
     low, high = sorted(value.real for value in plane.equilibria.items[0].eigenvalues)
@@ -181,6 +185,7 @@ def test_a_frame_that_turns_steadily_has_an_energy_of_its_own():
     assert plane.own.period[0] == pytest.approx(2 * math.pi / math.sqrt(96), rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_a_pole_is_no_equilibrium_and_is_not_passed():
     plane = problem("coordinates: {x: m}\ninitial: {x: -1 cm}\nenergies:\n  T: (0.1 kg)*x'^2/2\n"
                     "  V: (40 N/m)*x^2/2 - (4e-4 N*m^2)/(5 cm - x)\n").phase_plane
@@ -191,6 +196,7 @@ def test_a_pole_is_no_equilibrium_and_is_not_passed():
         assert one.q.max() < 0.05 or one.q.min() > 0.05
 
 
+@pytest.mark.sweep
 def test_a_motion_that_excites_itself_ends_in_a_limit_cycle():
     plane = problem("coordinates: {x: m}\nenergies:\n  T: (1 kg)*x'^2/2\n  V: (100 N/m)*x^2/2\n"
                     "  Phi: (100 N*s/m^3)*((x^2 - 0.04 m^2)*x'^2/2)\n").phase_plane
@@ -200,6 +206,7 @@ def test_a_motion_that_excites_itself_ends_in_a_limit_cycle():
     assert plane.frame.q[1] > 0.5 and plane.frame.v[1] > 5
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("speed", "end"), [(5, 0.0), (-5, 0.0), (13, None)])
 def test_where_a_damped_motion_ends_is_told(speed, end):
     own = pendulum(c="0.15", more=f"initial: {{phi: 0, phi': {speed} rad/s}}").own
@@ -212,6 +219,7 @@ def test_a_start_at_rest_and_one_on_a_separatrix_are_told():
     assert plane.own.reason == "it is on a separatrix and tends to a saddle"
 
 
+@pytest.mark.sweep
 def test_expanded_equations_have_a_plane_of_their_own():
     plane = pendulum(more="motion: {order: 3}\ninitial: {phi: 1}")
     assert kinds(plane) == ["saddle", "centre", "saddle"]

@@ -68,6 +68,7 @@ def test_twelve_printed_digits_a_million_seconds_after():
             assert near(signal_of(found, text).precise(t, DIGITS), value), text
 
 
+@pytest.mark.sweep
 def test_two_degrees_under_a_driven_wall_against_the_exponential():
     """ż = G z written by hand, z = (x, y, x', y', sin Ωt, cos Ωt)."""
     with mpmath.workdps(90):
@@ -223,6 +224,7 @@ def test_a_start_under_a_force_that_lets_go():
         assert near(signal_of(found, "x").precise(Fraction("2.5"), 30), exact, 30)
 
 
+@pytest.mark.sweep
 def test_harmonics_of_a_square_wave():
     """4F/(nπ) of the force, n odd, over the dynamic stiffness; the mean of a force that is there half of the time."""
     found = problem("""

@@ -54,6 +54,7 @@ def test_a_bar_with_an_end_damper():
     assert low == pytest.approx(-high, rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_a_beam_whose_modes_are_damped():
     """qᵢ = q₀ + Re A e^{λt} over half a period, qᵢ(t + T/2) = −qᵢ(t); u(L) = Σ φᵢ(L) qᵢ."""
     model, half = vibcli.loads(BEAM), np.pi / 20
@@ -139,6 +140,7 @@ def test_errors_of_extremes_are_asked_for_as_the_signal_told_them():
     assert (25.0 + (Late.told[0] - 25.0), (Late.told[1] - 0.7) + 0.7) != Late.told
 
 
+@pytest.mark.sweep
 def test_what_never_dies_out_is_refused_by_name():
     model = vibcli.loads(BAR.format(""))
     with pytest.raises(PhysicsError, match="never die out") as refused:
@@ -160,6 +162,7 @@ def test_a_mode_that_hardly_dies_out_is_named_before_all_periods_are_followed(mo
     assert max(followed) < 20 * 2 * np.pi / 20
 
 
+@pytest.mark.sweep
 def test_what_nothing_damps_is_kept_up_where_its_period_fits_with_that_of_the_load():
     """T = 3/4 of that of a clamped bar: u = Σ 4F₀/(πn) tan kL/(EA k) sin nΩt, N = EA u′, each over the odd n."""
     model = vibcli.loads(BAR.format("").replace("Om: 2000", "Om: pi/3*2000"))
@@ -181,6 +184,7 @@ def test_what_nothing_damps_is_kept_up_where_its_period_fits_with_that_of_the_lo
             model["amplitude(rod.u(L))"]
 
 
+@pytest.mark.sweep
 def test_a_free_vibration_far_up_that_fits_into_the_period_is_met():
     """Two bars, 3 : 5 in pitch, repeat themselves in 11/2 periods of the load: mode 17 of both, the 11th of the one,
     stays in the mean of 11."""
@@ -195,6 +199,7 @@ def test_what_grows_repeats_nothing():
         vibcli.loads(BAR.format(", attached: [{at: L, k: -3e6 N/m}]"))["amplitude(rod.u(L))"]
 
 
+@pytest.mark.sweep
 def test_what_is_not_damped_and_fits_into_the_period_is_refused():
     """Damped at the node of mode 2, which swings for ever with half the period of the load."""
     bar = BAR.format(", right: clamped, attached: [{at: L/2, c: 1000 N*s/m}]").replace("at: L}", "at: L/4}")
@@ -204,6 +209,7 @@ def test_what_is_not_damped_and_fits_into_the_period_is_refused():
     assert model["harmonic[1](rod.u(L/4))"].value > 0
 
 
+@pytest.mark.sweep
 def test_what_a_damper_swallows_is_damped():
     """c = √(EA μ): u̇(L) = F₀/(2c) (s(t) − s(t − 2L/c₀)), no free vibration at all."""
     model = vibcli.loads(BAR.format(", attached: [{at: L, c: 2000 N*s/m}]"))
@@ -219,6 +225,7 @@ def test_what_a_damper_swallows_is_damped():
     assert "max(steady(rod.u(L)))" in refused.value.hint and "amplitude(rod.u(L))" in refused.value.hint
 
 
+@pytest.mark.sweep
 def test_a_load_that_jumps_very_often_is_refused_before_it_is_followed():
     bar = BAR.format(", attached: [{at: L, c: 1000 N*s/m}]")
     with pytest.raises(PhysicsError, match="too often"):

@@ -29,6 +29,7 @@ def agrees(found, exact, digits=DIGITS):
     return abs(found - exact) <= abs(exact) * mpf(10) ** -digits
 
 
+@pytest.mark.sweep
 def test_a_pendulum_against_elliptic_functions():
     """sin(φ/2) = k cd(ω t, k) of a pendulum let go at rest, k = sin(φ₀/2)."""
     found = precise(PENDULUM + "initial: {phi: 2.5 rad}\n", "phi", "7.3", 40)
@@ -147,6 +148,7 @@ def test_no_horizon_from_an_unstable_place():
     assert value(found, "zero[1](phi)") == pytest.approx(float(half / 2), rel=1e-15)
 
 
+@pytest.mark.sweep
 def test_extremes_and_zeros_to_many_digits():
     """Of a pendulum: φ̇ is largest at the bottom, where φ vanishes, after a quarter of the period 4 K(k)/ω."""
     found = problem(PENDULUM + "initial: {phi: -2.5 rad}\nmotion: full\n").with_digits(30)
@@ -202,6 +204,7 @@ initial: {x: 1 cm}
         assert agrees(precise(text, "x", "4.1", 30), exact, 30)
 
 
+@pytest.mark.sweep
 def test_what_falls_and_what_is_thrown():
     """y = 3 t − g t²/2 and x = 2 t for as long as one likes: one step, whose turns are found all the same."""
     text = "gravity: 9.81 m/s^2\nbodies: {a: {mass: 1 kg, at: [0, 0], %s}}\nmotion: full\n"
@@ -268,6 +271,7 @@ def run_on(tmp_path, text, *args):
     return run([args[0], str(path), *args[1:]])
 
 
+@pytest.mark.sweep
 def test_the_commands_print_them(tmp_path, capsys):
     swing = PENDULUM + "initial: {phi: -2.5 rad}\nfind: [{response: {until: 2 s}}]\n"
     with mpmath.workdps(60):

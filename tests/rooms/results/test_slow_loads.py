@@ -85,6 +85,7 @@ def test_slow_loads_along_what_also_bends_and_slow_supports(monkeypatch):
     assert vibcli.loads(driven)["max(b.u(2 m))"].value == pytest.approx(1e-2, rel=1e-3)
 
 
+@pytest.mark.sweep
 def test_moments_smallest_values_and_loads_along_it():
     one = vibcli.loads(BEAM % "sin(0.01 rad/s*t)")
     assert one["max(b.moment(0 m))"].value == pytest.approx(20, rel=2e-3)

@@ -36,6 +36,7 @@ def test_what_starts_as_it_rests_stays(ends, rest, moved):
     assert values(ends, rest, "b.u'(1.1 m)") == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.sweep
 @BEAMS
 def test_it_moves_about_its_rest_as_a_beam_without_weight(ends, rest, moved):
     heavy = values(ends, f"{rest} + {moved}", "b.u(1.1 m)")

@@ -50,6 +50,7 @@ def test_a_bar_stretched_beside_a_load_that_swells():
     compared(scene, "m.force(0.3 m)", times, 100 * strain, 1e-12)
 
 
+@pytest.mark.sweep
 def test_a_cantilever_bent_beside_a_load_that_swells():
     """u = u_r + Σ φ ⟨φ, u₀ − u_r⟩ cos ωt, ⟨φ, u_r⟩ = ∫ φ q dx/(μ ω²)."""
     scene = problem(SCENE % ("N*m^2", "beams", "EI", "", "q*sin(pi*x/L)", "(x/L)^2*(6 - 4*x/L + (x/L)^2)/3"))
@@ -76,6 +77,7 @@ def test_what_rests_in_no_polynomial_starts_as_is_said():
     compared(scene, "m.u(0.7 m)", [0.0], np.array([0.01 * 0.49 * (6 - 2.8 + 0.49) / 3]), 1e-10)
 
 
+@pytest.mark.sweep
 def test_a_bar_under_a_load_with_corners_on_a_part_of_it():
     """EA u_r″ = −q |sin 2πx| from x = 1/4 on."""
     text = SCENE % ("N", "bars", "EA", "", "q*abs(sin(2*pi*x/L))", "x/L")
@@ -96,6 +98,7 @@ def test_a_bar_under_a_load_with_corners_on_a_part_of_it():
     compared(scene, "m.u(0.3 m)", times, rest(0.3) + (away(0.3 - 10 * times) + away(0.3 + 10 * times)) / 2, 1e-13)
 
 
+@pytest.mark.sweep
 def test_a_load_that_turns_sharply_is_refused_by_name():
     scene = problem(SCENE % ("N*m^2", "beams", "EI", "", "q*sqrt(x/L)", "(x/L)^2"))
     with pytest.raises(PhysicsError, match="each of a few parts"):

@@ -41,6 +41,7 @@ bodies:
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "name", "values", "quantities"), [
     (CAR, "kf", (9, 60), ("omega[1]", "omega[2]", "zeta[1]", "omega_d[2]", "mode[2][phi]", "max(y)")),
     (CAR, "l1", (0.5, 1.4), ("omega[1]", "zeta[2]", "mode[1][phi]")),
@@ -60,6 +61,7 @@ def test_each_is_the_scene_with_its_value(text, name, values, quantities):
             assert values[i] == pytest.approx(alone[text].value, rel=1e-12, abs=1e-14)
 
 
+@pytest.mark.sweep
 def test_small_vibrations_are_found_by_arrays():
     p = vibcli.loads(CAR)
     axis = of_numbers(p._as_read.spec, "kf", np.linspace(9, 60, 40).tolist())
@@ -68,6 +70,7 @@ def test_small_vibrations_are_found_by_arrays():
     assert sum(damped is not None for _, damped in found) >= 20
 
 
+@pytest.mark.sweep
 def test_expressions_are_not_shared_where_the_drawing_turns():
     """A disc in a bowl that becomes a disc round a peg: its two drawings have other expressions."""
     text = GEARS.replace("side: inside", "side: outside").replace("r - R", "r + R")
@@ -85,6 +88,7 @@ springs: {s: {k: k, between: [[0.3 m, 0], e]}}
         assert problem.configuration.linear_system.springs[0][1][0] == pytest.approx(np.sign(stretch), abs=1e-15), i
 
 
+@pytest.mark.sweep
 def test_blocks_are_halved_where_the_drawing_turns():
     """A bead that passes the other end of its spring, over five parameters: on either side the scene is shared."""
     p = vibcli.loads("""
@@ -105,6 +109,7 @@ springs: {s: {k: k, between: [[b, 0], e]}, S: {k: K, stretch: x}}
     assert len(grid._drawn) <= 3 * 2**5 < 486
 
 
+@pytest.mark.sweep
 def test_two_parameters():
     p = vibcli.loads(CAR)
     found = p.sweep("omega[1]", kf=np.linspace(9, 40, 6), kr=np.linspace(10, 30, 7))
@@ -131,6 +136,7 @@ def test_values_that_share_a_scene_share_it_with_its_inputs():
     assert one.numbers.elements.dampers != two.numbers.elements.dampers
 
 
+@pytest.mark.sweep
 def test_an_interrupt_keeps_what_was_found(monkeypatch):
     p, calls = vibcli.loads(CAR), []
     axis = of_numbers(p._as_read.spec, "kf", np.linspace(9, 60, 40).tolist())

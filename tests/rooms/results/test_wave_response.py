@@ -54,6 +54,7 @@ def at_rest(more, load):
         """))
 
 
+@pytest.mark.sweep
 def test_what_rests_at_zero_has_one_zero_as_it_leaves():
     pulse = "1 N*(step(t) - step(t - 0.3 s))"
     waves = at_rest("", pulse)
@@ -88,6 +89,7 @@ def test_free_end_leaves_a_rectangle():
     assert product.zeros(0.0, 1.5) == pytest.approx([1.0])
 
 
+@pytest.mark.sweep
 def test_bar_of_two_sections_between_driven_base_and_free_end():
     """Base 0.01 m·sin 2t: behind the step of section the wave is 2Z₁/(Z₁ + Z₂) of what arrives."""
     scene = problem(UNIT + dedent("""\
@@ -107,6 +109,7 @@ def test_bar_of_two_sections_between_driven_base_and_free_end():
     assert values(scene, "rod.u(0)", times) == pytest.approx(0.01 * np.sin(2 * times), abs=1e-16)
 
 
+@pytest.mark.sweep
 def test_shaft_that_carries_discs_and_an_oscillator_keeps_its_angular_momentum():
     scene = problem("""\
         parameters: {L: 1 m, M: 5 N*m, T: 0.5 s}
@@ -177,6 +180,7 @@ def test_string_that_is_plucked_where_nothing_stands():
     assert signal(scene, "cord.slope(0)").sampled(instants)[1:3] == pytest.approx([0.01, -0.003 / 0.7])
 
 
+@pytest.mark.sweep
 def test_the_earliest_of_equal_extremes_counts():
     assert signal(problem(PLUCKED), "cord.u(L/2)").extreme(0.0, 1.0, -1) == pytest.approx((0.008, -0.003 * 5 / 7))
 
@@ -215,6 +219,7 @@ def test_an_oscillator_starts_with_the_field_where_it_hangs():
     assert start["b.u(1 m)"] == pytest.approx(1e-3) and start["b.oscillator(1 m)"] == pytest.approx(1e-3 - 2 * 9.81 / 3)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("rate", "start"), [("0.7 m/s", 0.7), ("0.7 m/s*(1 - x/L)", 0.7), ("0 m/s", 0.0)])
 def test_a_field_beside_a_support_that_the_time_moves(rate, start):
     """EA (u0' + v0/c - g'/c) at the support until its waves are back; where it starts at the field no displacement
@@ -254,6 +259,7 @@ def test_what_never_moves_is_still_from_the_start():
     assert scene.response.alone.still_from(5.0) == 0.0
 
 
+@pytest.mark.sweep
 def test_a_value_behind_too_many_fronts_is_found_by_modes():
     """Far beyond the end that is asked for; β tan β = 1, u(L) = Σ EA a/L sin²β/(m ω²) cos ωt, ω = βc₀/L."""
     scene = problem("""\

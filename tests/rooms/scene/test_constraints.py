@@ -288,6 +288,7 @@ def test_the_length_of_a_rope(seed):
         assert rope.lengths(spoiled) != pytest.approx(drawn, rel=1e-12, abs=1e-13)
 
 
+@pytest.mark.sweep
 def test_all_kinds_of_ropes_were_tried():
     ropes = [Rope(seed) for seed in range(12)]
     assert {kind for rope in ropes for *_, kind in rope.stops[1:-1]} == {"fixed", "moving", "turning"}
@@ -337,6 +338,7 @@ def four_bar_potential(phi):
     return 200 * phi**2 + 15 * reach**2 + sum(10 * m * y for m, (_, y, _) in zip(MASSES, centres(phi), strict=True))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("phi", [0.25, -0.5])
 def test_implicit_derivatives_of_a_four_bar(phi):
     """Three derivatives of psi(phi) and chi(phi) as nested gradients, against differences in many digits."""
@@ -361,6 +363,7 @@ def test_where_the_slope_of_a_loop_is_no_number_it_is_not_followed_in_silence():
     assert Loops(["z"], [z], [slope], [1.0]).followed(start, target) is None
 
 
+@pytest.mark.sweep
 def test_digits_of_a_closed_loop():
     """ω² = V″/M at V′ = 0, by differences in many more digits; the loop is closed to as many."""
     scene = problem(FOUR_BAR)
@@ -773,6 +776,7 @@ def test_pins_of_a_four_bar():
     assert [value(scene, f"equilibrium[{signal}]") for signal in signals] == pytest.approx(list(forces), rel=1e-10)
 
 
+@pytest.mark.sweep
 def test_the_tension_of_an_oblique_rope():
     """It balances springs and weight of the bob, and is the same on both sides of a wheel that nothing holds."""
     scene = problem(OBLIQUE_ROPE)

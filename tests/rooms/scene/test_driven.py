@@ -116,6 +116,7 @@ find: [{{response: {{until: 2 s}}}}]
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("motion", ["A*sin(W*t)", "A*cos(W*t)", "A*(1 - exp(-2*W*t))"])
 def test_what_is_tied_to_a_driven_body_vibrates_with_it(motion):
     """A small motion of the crank of a closed loop: to first order as by the full equations."""
@@ -283,6 +284,7 @@ forces: {f: {at: b, unbalance: U1, speed: W2}}
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("most", [None, 40])
 def test_what_drives_is_the_same_in_numbers_however_long_its_letters_are(most, monkeypatch):
     """With `most` terms allowed the letters are too long to be multiplied out."""

@@ -83,6 +83,7 @@ def references(batch, count=60, depth=4, functions=None):
     return found
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("batch", BATCHES)
 def test_values_in_many_digits(batch):
     for expression, point, value in references(batch):

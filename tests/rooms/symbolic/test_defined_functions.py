@@ -111,6 +111,7 @@ def test_very_small_and_unlike_deflections(scene):
         assert found == pytest.approx(expected, rel=1e-15)
 
 
+@pytest.mark.sweep
 def test_forces_that_floats_cannot_hold_on_the_way():
     table = Table()
     d, D = table.variable("d"), table.variable("D")

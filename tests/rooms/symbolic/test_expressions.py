@@ -194,6 +194,7 @@ def test_what_is_not_real_is_nan(table):
         assert evaluate([node], Floats, {"x": value})[0] != evaluate([node], Floats, {"x": value})[0]
 
 
+@pytest.mark.sweep
 def test_deep_expressions_do_not_recurse():
     table = Table()
     x = table.variable("x")

@@ -44,6 +44,7 @@ def test_it_is_the_monotone_cubic_of_scipy_with_its_derivatives_and_its_integral
     assert np.isnan(function.on_arrays(np.array([u[0] - 0.1, u[-1] + 0.1]))).all()
 
 
+@pytest.mark.sweep
 def test_its_energy_is_the_integral_in_many_digits_and_small_where_its_argument_is():
     law, table = _law("rising", True), Table()
     x = table.variable("x")

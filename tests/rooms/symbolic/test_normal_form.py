@@ -54,3 +54,18 @@ def test_a_square_has_its_number_before_it():
     assert plain(textbook(3 * m * (r * r - 2 * r * R + R * R) / 4)) == "3·m·(R − r)²/4"
     assert plain(textbook(3 * m * (r * r - 2 * r * R + R * R) / 2)) == "3·m·(R − r)²/2"     # whose half is no square
     assert plain(textbook(m * (9 * r * r + 6 * r * R + R * R) / 9)) == "m·(R/3 + r)²"
+
+
+def test_what_cancels_by_one_denominator_is_zero_over_the_next():
+    table = new_table()
+    a, b, c, d = (table.parameter(name) for name in "abcd")
+    assert textbook((a * a - b * b) / ((a + b) * (c + d)) + (b - a) / (c + d)).is_zero
+
+
+def test_the_turn_of_no_height_over_squares_is_zero():
+    """Not that over a letter, which may have been found negative."""
+    table = new_table()
+    a, b = (table.parameter(name) for name in "ab")
+    turn = {node: table.call("atan2", table.zero, node) for node in (
+        a * a + (a - b) ** 2, a * a, table.number(2), a, a * a + b, table.number(-1), -a * a)}
+    assert [node for node, found in turn.items() if found.is_zero] == list(turn)[:3]

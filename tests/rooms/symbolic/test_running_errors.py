@@ -10,6 +10,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.running_errors import Rounded, RunningErrors, error_in, number_in
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("size", [0.0, 1e-15, 1e-9, 1e-5])
 def test_the_bound_is_never_exceeded(size):
     draw, checked = random.Random(f"running {size}"), 0

@@ -22,11 +22,10 @@ from vibcli.symbolic.rationals import HALF, exact
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.analyses.closed_form.pulled_beam import Factor, Indices
     from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
-    Indices = tuple[int, ...]
-    Factor = Fraction | int | Node
     Function = dict[tuple[tuple[int, *tuple[str, ...]], ...], Node]     # {((number of a piece, names), …): coefficient}
     Space = Mapping[Indices, Function]
     Entries = Iterator[tuple[Indices, Function, Factor]]

@@ -89,7 +89,19 @@ class Formula:
         if self.ahead and not self.order:
             return scale * self.Omega * self.numerator[1] / self.denominator[0]
         scale = scale if self.table.is_positive(scale) else self.table.call("abs", scale)
-        return scale * self._size(self.numerator) / self._size(self.denominator)
+        return scale * self._size_above() / self._size(self.denominator)
+
+    def _size_above(self) -> "Node":
+        """√(N_r² + Ω²N_i²), without the powers of Ω, or all but a number, that both have in common."""
+        real, turned = self.numerator[0], textbook(self.Omega * self.numerator[1])
+        if real.is_zero or turned.is_zero:
+            return self._size(self.numerator)
+        if (ratio := _simple(turned / real)).op == "number":
+            return self.table.sqrt(1 + ratio**2) * self._size((real, self.table.zero))
+        shared = _common(self.table, (textbook(real), turned))
+        if shared is self.table.one or not self.table.is_positive(shared):
+            return self._size(self.numerator)
+        return shared * self.table.sqrt(_simple(real / shared) ** 2 + _simple(turned / shared) ** 2)
 
     @property
     def square(self) -> "tuple[Node, Node]":

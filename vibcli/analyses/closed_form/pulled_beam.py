@@ -12,8 +12,12 @@ from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from vibcli.analyses.closed_form.frequency_functions import Factor, Indices
+    from fractions import Fraction
+
     from vibcli.symbolic.node import Node
+
+    Indices = tuple[int, ...]
+    Factor = Fraction | int | Node
 
 FUNCTIONS = ("cosh", "cos"), ("sinh", "sin")       # those that stand together
 

@@ -15,7 +15,7 @@ Where stiffness resists rates by β the same holds of D/(1 + βs) = K + r (C −
 r = s/(1 + βs) and p = s r, for R < 1/β: at s = −1/β frequencies of held pieces pile up.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from vibcli.analyses.continuous.counting import GUARD
 from vibcli.analyses.continuous.leaving_waves import leaving_room
 from vibcli.numerics.fixed_point import count_floats
 from vibcli.numerics.pieces.held_count import held_count
+from vibcli.numerics.pieces.piece import Piece
 from vibcli.numerics.pieces.retardation import retarded_reaction
 
 if TYPE_CHECKING:
@@ -55,10 +56,11 @@ def zeros_aside(matrix: "DynamicMatrix", inner: float, outer: float, angle: floa
     if not matrix.n:
         return 0
 
-    def border(t):      # along the outer arc from the axis, along the ray, along the inner arc back to the axis
+    def border(t: np.ndarray) -> np.ndarray:
+        # along the outer arc from the axis, along the ray, along the inner arc back to the axis
         turned = angle * np.clip(np.minimum(3 * t, 3 - 3 * t), 0, 1)
         size = outer * (inner / outer) ** np.clip(3 * t - 1, 0, 1)
-        return size * np.exp(1j * turned)
+        return cast("np.ndarray", size * np.exp(1j * turned))
 
     if sign > 0:
         return _half_turns(matrix, border, 3 * ARCS)
@@ -79,10 +81,10 @@ def held_within(stack: "PieceStack", radius: float) -> np.ndarray:
     return _held_retarded(stack, radius) if stack.beta.any() else _held(stack.piece, radius)
 
 
-def _held(piece, radius):
+def _held(piece: Piece, radius: float) -> np.ndarray:
     mu, c, k = piece.inertia, np.abs(piece.drag), piece.foundation
 
-    def beyond(kappa):
+    def beyond(kappa: np.ndarray) -> np.ndarray:
         return held_count(piece._replace(foundation=kappa), 0)
 
     left, right = beyond(k + (mu * radius - c) * radius), beyond(k + (mu * radius + c) * radius)
@@ -90,15 +92,15 @@ def _held(piece, radius):
     double = beyond(k - turning)                    # these decay without swinging
     slow = c < 2 * mu * radius
     swinging = np.maximum(beyond(k - mu * radius * radius) - double, 0)
-    return np.where(slow, 2 * swinging + 2 * double - right - left, left - right)
+    return cast("np.ndarray", np.where(slow, 2 * swinging + 2 * double - right - left, left - right))
 
 
-def _held_retarded(stack, radius):
+def _held_retarded(stack: "PieceStack", radius: float) -> np.ndarray:
     """The same where μs² + cs + K (1 + βs) = 0 has two, one or no roots in |s| < radius, K = k − κ_j > 0 of each
     frequency of a held piece: between the K at which that changes it is what it is in their middle."""
     piece, found = stack.piece, np.zeros((len(stack.ends), 1), int)
     for p in range(len(found)):
-        one = piece._make(float(part[p, 0]) for part in piece)
+        one = Piece(*(float(part[p, 0]) for part in piece))
         mu, c, beta = float(one.inertia), float(one.drag), float(stack.beta[p, 0])
         turns = np.roots([beta**2, 2 * beta * c - 4 * mu, c**2]) if mu else np.zeros(0)
         places = [radius * (c - mu * radius) / (1 - beta * radius), -radius * (c + mu * radius) / (1 + beta * radius),
@@ -112,7 +114,7 @@ def _held_retarded(stack, radius):
     return found
 
 
-def _half_turns(matrix, path, arcs):
+def _half_turns(matrix: "DynamicMatrix", path: "Callable[..., np.ndarray]", arcs: int) -> int | None:
     """Those of det D."""
     return turned(lambda s, step: _phases(matrix, s, step), path, arcs, MOST if matrix.n > 1 else SINGLE)
 
@@ -126,16 +128,17 @@ def turned(phases: "Callable[..., tuple[np.ndarray, np.ndarray]]", path: "Callab
     if arguments is None:
         return None
     steps = np.angle(arguments[1:] / arguments[:-1])
-    return round((_to_real(arguments[0]) + steps.sum() - _to_real(arguments[-1])) / np.pi)
+    return cast("int | None", round((_to_real(arguments[0]) + steps.sum() - _to_real(arguments[-1])) / np.pi))
 
 
-def _to_real(value):
+def _to_real(value: complex) -> float:
     """The angle from the nearest part of the real axis, where D is real."""
     angle = np.angle(value)
-    return angle - np.pi * np.rint(angle / np.pi)
+    return cast("float", angle - np.pi * np.rint(angle / np.pi))
 
 
-def _arguments(phases, path, arcs, most):
+def _arguments(phases: "Callable[..., tuple[np.ndarray, np.ndarray]]", path: "Callable[..., np.ndarray]", arcs: int,
+               most: int) -> np.ndarray | None:
     """Values of size 1 at the middles of arcs, in order, between which it changes by less than half a turn."""
     ends = np.linspace(0, 1, arcs + 1)
     low, high = ends[:-1], ends[1:]
@@ -156,7 +159,7 @@ def _arguments(phases, path, arcs, most):
     return np.concatenate(values)[order]
 
 
-def _phases(matrix, s, step):
+def _phases(matrix: "DynamicMatrix", s: np.ndarray, step: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """det D/|det D| at each s, and how far its argument can be from that within so long a step."""
     count_floats(matrix.n, len(s))
     with np.errstate(all="ignore"):
@@ -182,12 +185,12 @@ def _phases(matrix, s, step):
     return phase, np.where(np.isfinite(change), change, np.inf)
 
 
-def sizes(found: "EvaluatedMatrix", s: np.ndarray) -> np.ndarray:
+def sizes(found: "EvaluatedMatrix", s: Any) -> np.ndarray:
     """What the diagonal of D was added from, and what it changes by as s does by itself: also where all parts are 0."""
-    return np.abs(found.size) + abs(s) * np.abs(np.moveaxis(np.diagonal(found.slope), -1, 0))
+    return cast("np.ndarray", np.abs(found.size) + abs(s) * np.abs(np.moveaxis(np.diagonal(found.slope), -1, 0)))
 
 
-def _room(matrix, found, s, step):
+def _room(matrix: "DynamicMatrix", found: "EvaluatedMatrix", s: np.ndarray, step: np.ndarray) -> np.ndarray:
     """Q of a step from each s: (N, n, n)."""
     beta = matrix.retardation
     C, M = (_majorant(part) for part in (matrix.polynomial[1] - beta * matrix.polynomial[0], matrix.polynomial[2]))
@@ -215,10 +218,11 @@ def _room(matrix, found, s, step):
                 for i, x in rows[a].items():
                     for j, y in rows[b].items():
                         room[:, i, j] += float(x * y) * power[a, b, p]
-    return room
+    return cast("np.ndarray", room)
 
 
-def _leaving_power(stack, Z, found, s, step, away, power):
+def _leaving_power(stack: "PieceStack", Z: np.ndarray, found: "EvaluatedMatrix", s: np.ndarray, step: np.ndarray,
+                   away: np.ndarray, power: np.ndarray) -> np.ndarray:
     """Q of pieces whose leaving waves are taken off: of what ends answer themselves, and of what one answers the
     other, b, |b (x̄₀ y₁ + x̄₁ y₀)|² ≤ (b t |x₀|² + b/t |x₁|²)(b t |y₀|² + b/t |y₁|²) for any t > 0; near poles as
     without, and of the damper taken off."""
@@ -237,7 +241,7 @@ def _leaving_power(stack, Z, found, s, step, away, power):
     return power
 
 
-def _steps(beta, s, step):
+def _steps(beta: float, s: np.ndarray, step: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Bounds of |Δr| and |Δp| within so long a step from each s."""
     size, factor = abs(s), np.abs(1 + beta * s)
     left = factor - beta * step
@@ -245,19 +249,19 @@ def _steps(beta, s, step):
     return drag, step * size / factor + (size + step) * drag
 
 
-def _majorant(part):
+def _majorant(part: np.ndarray) -> np.ndarray:
     """|A| + |Aᵀ| of a matrix, |A| where it is symmetric: |xᴴAy|² ≤ xᴴQx · yᴴQy."""
     if not part.any():
         return part
     if (part == part.T).all():
         return _magnitude(part)
-    return _magnitude(part) + _magnitude(part.T)
+    return cast("np.ndarray", _magnitude(part) + _magnitude(part.T))
 
 
-def _magnitude(part):
+def _magnitude(part: np.ndarray) -> np.ndarray:
     """√(AᵀA)."""
     _, values, basis = np.linalg.svd(part)
-    return (basis.T * values) @ basis
+    return cast("np.ndarray", (basis.T * values) @ basis)
 
 
 def _distance(stack: "PieceStack", kappa: np.ndarray) -> np.ndarray:
@@ -267,7 +271,7 @@ def _distance(stack: "PieceStack", kappa: np.ndarray) -> np.ndarray:
         width = part * abs(kappa)
         ends = (held_count(stack.piece._replace(foundation=kappa.real + side * width), 0) for side in (-1, 1))
         free = np.where(np.equal(*ends), width, free)
-    return np.hypot(kappa.imag, free) * 0.999
+    return cast("np.ndarray", np.hypot(kappa.imag, free) * 0.999)
 
 
 def newton_steps(D: np.ndarray, slope: np.ndarray) -> np.ndarray:

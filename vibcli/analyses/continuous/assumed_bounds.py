@@ -3,6 +3,7 @@
     ω̃² = K̂/M̂          K̂ c = ω̃² M̂ c          ω̃ᵢ ≥ ωᵢ (minimax principle)
 """
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -19,6 +20,7 @@ from vibcli.symbolic.parser import parse
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.mechanics.factored_system import FactoredSystem
 
 SPARE = 20          # digits beyond those asked for
 ALONG = ".along("   # what a station of a beam does along it, which rests
@@ -73,7 +75,7 @@ def member_bounds(modal: "ModalAnalysis", asked: Any) -> RitzEstimates:
         return RitzEstimates(moved, _floats(found.M), _floats(found.K), modes)
 
 
-def _bounded(modal):
+def _bounded(modal: "ModalAnalysis") -> "FactoredSystem":
     """The system in mpmath's numbers; PhysicsError where the minimax principle does not hold for it."""
     elements = modal.configuration.linear_system
     K, M = finite_elements(elements, 1)
@@ -82,7 +84,7 @@ def _bounded(modal):
     return modal.configuration.precise_system(mpmath.mp.dps)
 
 
-def _assumed(modal, written):
+def _assumed(modal: "ModalAnalysis", written: Mapping[str, Expression]) -> AssumedShape:
     """The AssumedShape as it is written."""
     functions, amplitudes, where = {}, {}, None
     for name, expression in written.items():
@@ -100,18 +102,18 @@ def _assumed(modal, written):
     return AssumedShape(functions, amplitudes, where)
 
 
-def _nothing():
+def _nothing() -> mpmath.mpf:
     return mpmath.mpf(10) ** (10 - WORKING)
 
 
-def _floats(matrix):
+def _floats(matrix: mpmath.matrix) -> list[list[float]]:
     """Rows of floats, those that are only rounding beside the diagonal being 0."""
     n = range(len(matrix))
     size = [mpmath.sqrt(abs(matrix[i, i])) for i in n]
     return [[float(matrix[i, j]) if abs(matrix[i, j]) > _nothing() * size[i] * size[j] else 0.0 for j in n] for i in n]
 
 
-def _within(matrix, basis):
+def _within(matrix: mpmath.matrix, basis: Sequence[list[mpmath.mpf]]) -> mpmath.matrix:
     """aᵀ matrix b of each pair of a basis."""
     n = range(len(matrix))
     return mpmath.matrix([[sum(x * matrix[i, j] * y for i, x in zip(n, a, strict=True)

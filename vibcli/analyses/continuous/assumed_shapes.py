@@ -7,6 +7,7 @@ deflect between their stations in lines, beams in cubics. All in mpmath's number
 which two have to agree.
 """
 
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from vibcli.base.errors import Where
     from vibcli.language.reader import Expression
     from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
+    from vibcli.symbolic.node import Node
 
 SAME, AGREED = mpmath.mpf("1e-30"), mpmath.mpf("1e-25")     # of the size; numbers have 60 digits
 RULES = (4, 5, 6)           # Gauss' rules of 24, 48, 96 points
@@ -33,8 +35,8 @@ class AssumedShape(NamedTuple):
     """functions: {member: [f, f′, f″] of the place, for which the time of the scene stands}; amplitudes: {index of a
     coordinate: how far it moves} of those that are given; `where` it is written."""
 
-    functions: dict
-    amplitudes: dict
+    functions: dict[Any, Any]
+    amplitudes: dict[Any, Any]
     where: "Where | None" = None
 
 
@@ -44,10 +46,10 @@ class Reduced(NamedTuple):
 
     M: Any
     K: Any
-    motions: list
+    motions: list[Any]
 
 
-def derivatives_of(modal: "ModalAnalysis", expression: "Expression") -> list:
+def derivatives_of(modal: "ModalAnalysis", expression: "Expression") -> "list[Node]":
     """[f, f′, f″] of a function of the place x."""
     scene, found = modal.scene, [modal.scene.lower(expression, (PLACE, modal.scene.time))]
     for _ in range(2):
@@ -80,7 +82,7 @@ def reduced(modal: "ModalAnalysis", elements: "FactoredSystem", shapes: "list[As
 class _Fields:
     """The functions of a shape in numbers."""
 
-    def __init__(self, modal: "ModalAnalysis", shape: AssumedShape):
+    def __init__(self, modal: "ModalAnalysis", shape: AssumedShape) -> None:
         self.shape, self.arithmetic = shape, multiprecision()
         self.values, self.time = modal.numeric.values(self.arithmetic), modal.scene.time.name
         self.bends = {name: modal.scene.members[name].kind.bends for name in shape.functions}
@@ -90,7 +92,7 @@ class _Fields:
         owner = placed.owner
         return owner in self.bends and (placed.piece.order == 4) == self.bends[owner]
 
-    def at(self, placed: "PlacedPiece", x: mpmath.mpf) -> list:
+    def at(self, placed: "PlacedPiece", x: mpmath.mpf) -> list[mpmath.mpf]:
         """f, f′, f″ at the distance x from the left end of a piece."""
         values = {**self.values, self.time: placed.start + x}
         try:
@@ -103,13 +105,13 @@ class _Fields:
                                self.shape.where)
         return found
 
-    def ends(self, placed: "PlacedPiece") -> list:
+    def ends(self, placed: "PlacedPiece") -> list[mpmath.mpf]:
         """(u₀, u_l), of beams (u₀, u₀′, u_l, u_l′)."""
         half = len(placed.rows) // 2
         return [*self.at(placed, mpmath.mpf(0))[:half], *self.at(placed, placed.piece.length)[:half]]
 
 
-def _require_inertia(modal, elements, name, where):
+def _require_inertia(modal: "ModalAnalysis", elements: "FactoredSystem", name: str, where: "Where | None") -> None:
     """Refuse a deflection of a member of which a part is springs."""
     member = modal.scene.members[name]
     length, = evaluate([member.length], multiprecision(), modal.numeric.values(multiprecision()))
@@ -121,7 +123,7 @@ def _require_inertia(modal, elements, name, where):
                            "give `rho` or its inertia per length", where)
 
 
-def _motions(modal, elements, fields):
+def _motions(modal: "ModalAnalysis", elements: "FactoredSystem", fields: _Fields) -> dict[int, mpmath.mpf]:
     """{index of a coordinate: how far it moves}: those given, and those that follow the members."""
     found, where = dict(fields.shape.amplitudes), fields.shape.where
     rows = [(placed, i, row, end) for placed in elements.pieces if fields.given(placed)
@@ -146,7 +148,8 @@ def _motions(modal, elements, fields):
     return found
 
 
-def _contradiction(placed, i, row, end, where):
+def _contradiction(placed: "PlacedPiece", i: int, row: Mapping[Any, Any], end: mpmath.mpf,
+                   where: "Where | None") -> PhysicsError:
     half = len(placed.rows) // 2
     place = placed.start + (placed.piece.length if i >= half else 0)
     what = "has the slope" if half == 2 and i % 2 else "is"
@@ -156,7 +159,8 @@ def _contradiction(placed, i, row, end, where):
                         where)
 
 
-def _integrable(placed, fields, motions):
+def _integrable(placed: "PlacedPiece", fields: Sequence[_Fields], motions: Sequence[dict[int, mpmath.mpf]]
+                ) -> tuple[list[tuple[mpmath.mpf, mpmath.mpf]], list[list[tuple[mpmath.mpf, ...]]]]:
     """(rule [(x, weight)], values [f, f′, f″] at its points of each shape) of a piece, two rules agreeing."""
     before = None
     for degree in RULES:
@@ -175,7 +179,8 @@ def _integrable(placed, fields, motions):
                        "what it stores is not found", "a smooth function of x fits, such as x^2", wrong.shape.where)
 
 
-def _agree(placed, field, rule, values, sums, before):
+def _agree(placed: "PlacedPiece", field: _Fields, rule: Sequence[tuple[mpmath.mpf, mpmath.mpf]],
+           values: Sequence[tuple[mpmath.mpf, ...]], sums: list[mpmath.mpf], before: list[mpmath.mpf] | None) -> bool:
     """Do two rules agree, and do f and f′ at the ends differ by the integrals of their slopes?"""
     if before is None:
         return False
@@ -195,7 +200,8 @@ def _agree(placed, field, rule, values, sums, before):
     return True
 
 
-def _along(placed, field, moved, rule):
+def _along(placed: "PlacedPiece", field: _Fields, moved: Mapping[int, mpmath.mpf],
+           rule: Sequence[tuple[mpmath.mpf, mpmath.mpf]]) -> list[tuple[mpmath.mpf, ...]]:
     """[f, f′, f″] at the points of a rule."""
     if field.given(placed):
         found = [field.at(placed, x) for x, _ in rule]
@@ -205,7 +211,7 @@ def _along(placed, field, moved, rule):
     return list(zip(*found, strict=True))
 
 
-def _between(ends, r, length):
+def _between(ends: Sequence[Any], r: Any, length: Any) -> Any:
     """Of a line or a cubic with these ends."""
     if len(ends) == 2:
         return ends[0] + (ends[1] - ends[0]) * r, (ends[1] - ends[0]) / length, mpmath.mpf(0)
@@ -215,15 +221,16 @@ def _between(ends, r, length):
 
 
 @cache
-def _gauss(degree, precision):
+def _gauss(degree: int, precision: int) -> Any:
     """[(x, weight)] on [−1, 1]."""
     return mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes(degree, precision)
 
 
-def _sum(rule, f, g):
+def _sum(rule: Sequence[tuple[mpmath.mpf, mpmath.mpf]], f: tuple[mpmath.mpf, ...],
+         g: tuple[mpmath.mpf, ...]) -> mpmath.mpf:
     return sum(w * x * y for (_, w), x, y in zip(rule, f, g, strict=True))
 
 
-def _form(matrix, a, b):
+def _form(matrix: mpmath.matrix, a: Mapping[int, mpmath.mpf], b: Mapping[int, mpmath.mpf]) -> mpmath.mpf:
     """aᵀ matrix b of motions."""
     return sum((x * matrix[i, j] * y for i, x in a.items() for j, y in b.items()), mpmath.mpf(0))

@@ -10,6 +10,8 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.base.work import counted
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.analyses.continuous.system import ContinuousSystem
 
 LONGEST = 200       # steps down to where nothing grows as fast
@@ -40,9 +42,9 @@ class Bracket(NamedTuple):
 class KnownCounts:
     """What is known of J: z ascending, lower and upper bounds of J, Σ J₀."""
 
-    def __init__(self, system: "ContinuousSystem"):
+    def __init__(self, system: "ContinuousSystem") -> None:
         self.system, self.scale = system, system.scale
-        self.met: set = set()
+        self.met: set[Any] = set()
         self.z = np.zeros(0, float if system.digits is None else object)
         self.below = self.above = self.held = np.zeros(0, int)
         self._least = self._most = np.zeros(0, int)
@@ -58,7 +60,8 @@ class KnownCounts:
         """A J that follows from structure, where z is no pole."""
         self._merge([self.system.number(z)], [J], [J], [J])
 
-    def _merge(self, z, below, above, held):
+    def _merge(self, z: "list[float | mpmath.mpf] | np.ndarray", below: list[int] | np.ndarray,
+               above: list[int] | np.ndarray, held: list[int] | np.ndarray) -> None:
         """What lies below all of these stays where it is."""
         z = np.array([*z], self.z.dtype)
         kept = int(self.z.searchsorted(z.min()))
@@ -141,7 +144,7 @@ def reached(counts: KnownCounts, first: int, last: int) -> None:
         counts.add(top * share * share)
 
 
-def _in_arrays(system):
+def _in_arrays(system: "ContinuousSystem") -> bool:
     """Are several counts as dear as one: doubles, and nothing that is summed one piece at a time?"""
     return system.digits is None and not any(placed.piece.gradient for placed in system.pieces)
 

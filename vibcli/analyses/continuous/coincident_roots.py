@@ -8,7 +8,7 @@ the circle move as modes do, of shapes V F with F Fᵀ = −G⁻¹. With G′ = 
 shapes are taken as leave E none of the λ that tr D⁻¹ D′ counts within the circle.
 """
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -80,7 +80,7 @@ def coincident_roots(divisions: Divisions, values: np.ndarray, errors: np.ndarra
     return found
 
 
-def _beside(divisions, s, values):
+def _beside(divisions: Divisions, s: complex, values: np.ndarray) -> CoincidentRoots | None:
     """The CoincidentRoots beside s; None where there are not several."""
     best = None
     for share in RADII:
@@ -94,13 +94,13 @@ def _beside(divisions, s, values):
     return None if best is None else best[1]
 
 
-def _apart(circle, values):
+def _apart(circle: CircleOfRoots, values: np.ndarray) -> bool:
     """Are all other λ far from the circle?"""
     away = np.concatenate([abs(values - circle.middle), abs(values.conj() - circle.middle)])
     return not ((away > circle.radius) & (away < BEYOND * circle.radius)).any()
 
 
-def _centred(divisions, s, share):
+def _centred(divisions: Divisions, s: complex, share: float) -> CircleOfRoots | None:
     """The CircleOfRoots about several λ beside s; None where there are not several within."""
     for _ in range(CENTRED):
         s = complex(s.real, 0.0) if abs(s.imag) < share * abs(s.real) else s
@@ -115,7 +115,7 @@ def _centred(divisions, s, share):
     return None
 
 
-def _circle(divisions, s, radius):
+def _circle(divisions: Divisions, s: complex, radius: float) -> tuple[CircleOfRoots, np.ndarray]:
     """(the CircleOfRoots, Σ (λ − s)ᵏ of the λ within for k = 0 … 4, not finite where these are of too many shapes)."""
     (matrix, _, (D,), _, (units,), _), = divisions.parts(np.array([s]))
     shapes = np.linalg.svd(D if s.imag else D.real)[2].conj()[::-1]
@@ -137,15 +137,15 @@ def _circle(divisions, s, radius):
     return CircleOfRoots(matrix, units, s, radius, turns, shapes[:m].T, V, G, lost, several), sums
 
 
-def _within(D, slope, steps):
+def _within(D: np.ndarray, slope: np.ndarray, steps: np.ndarray) -> complex:
     """How many λ there are within a circle, as tr D⁻¹ D′ tells."""
     try:
-        return np.mean(steps * np.trace(np.linalg.solve(D, slope), axis1=1, axis2=2))
+        return cast("complex", np.mean(steps * np.trace(np.linalg.solve(D, slope), axis1=1, axis2=2)))
     except np.linalg.LinAlgError:
         return np.nan
 
 
-def _flow(V, G, slope, felt):
+def _flow(V: np.ndarray, G: np.ndarray, slope: np.ndarray, felt: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(tr G⁻¹ G′ at each point, bounds of the relative errors of G)."""
     try:
         inverse = np.linalg.inv(G)
@@ -157,7 +157,7 @@ def _flow(V, G, slope, felt):
         inverse, axis=(1, 2))
 
 
-def _bordered(D, Y):
+def _bordered(D: np.ndarray, Y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(V, G) of each D."""
     n, m = Y.shape
     whole, end = np.zeros((len(D), n + m, n + m), complex), np.zeros((n + m, m))
@@ -169,7 +169,7 @@ def _bordered(D, Y):
     return found[:, :n], found[:, n:]
 
 
-def _halved(A):
+def _halved(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(symmetric F with F Fᵀ = A of each symmetric A, relative residuals): as Denman and Beavers (1976), turned so that
     no eigenvalue is next to the cut of the root."""
     angles = np.sort(np.angle(np.linalg.eigvals(A)), axis=1)
@@ -187,7 +187,7 @@ def _halved(A):
     return F, np.linalg.norm(F @ F - A, axis=(1, 2)) / np.linalg.norm(A, axis=(1, 2))
 
 
-def _roots(circle):
+def _roots(circle: CircleOfRoots) -> tuple[float, CoincidentRoots]:
     """(the largest relative error of what they bring, the CoincidentRoots)."""
     c, r = circle.middle, circle.radius
     points = c + r * circle.turns

@@ -40,7 +40,7 @@ class DampedBasis(ModeBasis):
     no larger |λ| is that of a point about several."""
 
     def __init__(self, series: "DampedSeries", matrix: "DynamicMatrix", rigid: np.ndarray,
-                 placed: "Sequence[PlacedPiece]"):
+                 placed: "Sequence[PlacedPiece]") -> None:
         self.placed, still, self._sizes = in_floats(placed), _sorted(matrix, rigid), {}
         self.free, resting = still
         self.at_rest = self.free + len(resting)
@@ -61,7 +61,7 @@ class DampedBasis(ModeBasis):
                 self.parts[home].append(part)
 
 
-def _sorted(matrix, rigid):
+def _sorted(matrix: "DynamicMatrix", rigid: np.ndarray) -> tuple[int, np.ndarray]:
     """(how many rigid motions nothing damps, (R, n) rigid motions): these first, unit in ∂D/∂s², the others in C."""
     if not len(rigid):
         return 0, rigid
@@ -80,9 +80,11 @@ class ComplexModes:
     left(of these): the LeftOutEnergy of those left out. gaps: how far each λ is from the next; shown_by_start: ⟨zₙ, z⟩
     and ⟨zₙ, A z⟩ of the start."""
 
+    UNBOUNDED = "as a load along a member is let go"       # where nothing is known of those left out
+
     def __init__(self, basis: DampedBasis, inputs: np.ndarray,
                  start: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
-                 left: "Callable[[ComplexModes], LeftOutEnergy] | None" = None):
+                 left: "Callable[[ComplexModes], LeftOutEnergy] | None" = None) -> None:
         self.basis, self.count, free = basis, basis.shapes.shape[1], basis.free
         place, speed, drag, dragged = start
         rates = basis.rates[free:]
@@ -113,7 +115,7 @@ class ComplexModes:
         return self.basis.lost(output)[:, self.basis.free:]
 
 
-def _fading(rates):
+def _fading(rates: np.ndarray) -> float:
     """A rate that those left out decay with at least: that of the last, where it does not fade as they grow faster."""
     last, before = (float(rates.real[len(rates) // k:len(rates) // (k // 2)].max(initial=-np.inf)) for k in (2, 4))
     return SAFE * last if -np.inf < last < 0 and -last >= -STEADY * before else 0.0

@@ -5,7 +5,7 @@ each other, D has so many too. E follows from the magnitudes that each entry was
 in the argument √z of d is a change of frequency, which a bracket has to allow for.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -60,10 +60,11 @@ def rounding(system: "ContinuousSystem", sizes: np.ndarray, scale: np.ndarray) -
 def scales(system: "ContinuousSystem", z: np.ndarray, sizes: np.ndarray, slope: np.ndarray) -> np.ndarray:
     """What each coordinate is measured by, √ of a stiffness, (n, number of z), in floats."""
     n = system.n
-    return np.sqrt(np.maximum((sizes[:n] + abs(z) * abs(slope[:n])).astype(float), 1e-300))
+    return cast("np.ndarray", np.sqrt(np.maximum((sizes[:n] + abs(z) * abs(slope[:n])).astype(float), 1e-300)))
 
 
-def _negative(system, entries, sizes, scale, room):
+def _negative(system: "ContinuousSystem", entries: np.ndarray, sizes: np.ndarray, scale: np.ndarray,
+              room: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The negative eigenvalues of D + room, and whether E covers what the elimination rounds, of two halves."""
     shifted = entries.copy()
     shifted[:system.n] = shifted[:system.n] + room
@@ -89,7 +90,7 @@ def by_eigenvalues(system: "ContinuousSystem", entries: np.ndarray, scale: np.nd
     return (values < -margin[:, None]).sum(axis=1), (values < margin[:, None]).sum(axis=1)
 
 
-def _precise(matrix):
+def _precise(matrix: np.ndarray) -> np.ndarray:
     """The eigenvalues of a matrix in numbers of mpmath."""
     import mpmath
 

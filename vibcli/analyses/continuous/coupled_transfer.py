@@ -4,7 +4,7 @@ without these dampers, C = U Λ Uᵀ (Woodbury),
     H = G − s G_U Λ (1 + s G_UU Λ)⁻¹ G_Uᵀ
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -19,7 +19,7 @@ NOTHING = 1e-14     # of the largest rate of the dampers
 class Dampers:
     """C (n, n), symmetric, as U Λ Uᵀ: rows U (n, r), rates Λ (r,)."""
 
-    def __init__(self, C: np.ndarray):
+    def __init__(self, C: np.ndarray) -> None:
         rates, turn = np.linalg.eigh(C)
         felt = abs(rates) > NOTHING * abs(rates).max(initial=0.0)
         self.rows, self.rates = turn[:, felt], rates[felt]
@@ -33,7 +33,7 @@ class Dampers:
 class CoupledTransfer:
     """given: the DampedTransfer without dampers, whose first channels are those of coordinates."""
 
-    def __init__(self, given: "DampedTransfer", dampers: Dampers):
+    def __init__(self, given: "DampedTransfer", dampers: Dampers) -> None:
         self.given, self.dampers, self.pieces = given, dampers, given.pieces
 
     def at(self, output: LinearOutput, s: np.ndarray) -> np.ndarray:
@@ -46,4 +46,4 @@ class CoupledTransfer:
         n = len(rows)
         between = np.einsum("kis,il->skl", stretch[:, :n], rows) * s[:, None, None] * rates
         force = np.linalg.solve(np.eye(len(rates)) + between, np.moveaxis(stretch, -1, 0))
-        return own - np.einsum("is,ik,k,skc->cs", own[:n], rows, rates, force) * s
+        return cast("np.ndarray", own - np.einsum("is,ik,k,skc->cs", own[:n], rows, rates, force) * s)

@@ -11,7 +11,7 @@ integrated. With the forces F that its ends e need and the load p along it, on s
     (κ(r) − κ(s)) ∫ w u dx = eᵤᵀ F_w − e_wᵀ Fᵤ + ∫ u p_w − w pᵤ dx,      κ(r) − κ(s) = (r − s) (c + (r + s) μ)
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -94,7 +94,8 @@ def energies(first: DampedSwings, A: np.ndarray, second: DampedSwings, B: np.nda
     return found, off
 
 
-def _dragged(drags, along, sizes, second, rates):
+def _dragged(drags: "Sequence[tuple[float, float]]", along: Any, sizes: np.ndarray, second: DampedSwings,
+             rates: tuple[np.ndarray, np.ndarray]) -> tuple[Any, Any]:
     """(Σ c ∫ w u dx, how far rounding may put it off), (rows, n)."""
     (r, roots), found, off = rates, 0.0, 0.0
     gap, total = r - second.rates, r + second.rates

@@ -2,7 +2,7 @@
 of π on all pieces together; along rays for what decays faster; and where pieces vibrate with their ends held.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
 
 RAYS, TURNS = 60, 7     # estimates on each of so many rays from the negative real axis on
 WIDE = 1.5              # half turns of waves between roots beyond which one is looked for there,
@@ -52,7 +53,8 @@ def between(pieces: "Sequence[PlacedPiece]", roots: np.ndarray) -> np.ndarray:
     wide = np.flatnonzero(np.diff(half_turns(pieces, line)) > WIDE)
     if not len(wide):
         return np.zeros(0, complex)
-    return np.add.outer(np.quantile(swinging.real, DECAYS), 0.5j * (line[wide] + line[wide + 1])).ravel()
+    found: np.ndarray = np.add.outer(np.quantile(swinging.real, DECAYS), 0.5j * (line[wide] + line[wide + 1])).ravel()
+    return found
 
 
 def half_turns(pieces: "Sequence[PlacedPiece]", omega: Any) -> Any:
@@ -72,11 +74,11 @@ def where_waves_turn(pieces: "Sequence[PlacedPiece]", phases: np.ndarray) -> np.
     return high
 
 
-def _wave_number(piece, omega):
+def _wave_number(piece: "Piece", omega: float | np.ndarray) -> float | np.ndarray:
     """k of waves with B k⁴ + N k² = μ ω² − κ; 0 where none travel."""
     tension, inertia = piece.tension + piece.gradient * piece.length / 2, piece.inertia * omega**2 - piece.foundation
     inertia = np.maximum(inertia, 0.0)
     if piece.order == 2:
-        return np.sqrt(inertia / tension)
+        return cast("float | np.ndarray", np.sqrt(inertia / tension))
     square = np.sqrt(tension**2 + 4 * piece.bending * inertia) - tension
-    return np.sqrt(np.maximum(square, 0.0) / (2 * piece.bending))
+    return cast("float | np.ndarray", np.sqrt(np.maximum(square, 0.0) / (2 * piece.bending)))

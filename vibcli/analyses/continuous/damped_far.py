@@ -6,7 +6,7 @@ others are half as many modes. Between two such circles about those that are wan
 """
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -54,7 +54,7 @@ class Annulus(NamedTuple):
 class FarModes:
     """low: what is known within a circle."""
 
-    def __init__(self, matrix: "DynamicMatrix", low: "Region"):
+    def __init__(self, matrix: "DynamicMatrix", low: "Region") -> None:
         self.matrix, self.low, self._divisions = matrix, low, Divisions(matrix)
         self._inner, self._real = self._divisions.inner, {}
 
@@ -82,7 +82,7 @@ class FarModes:
                 return found
         raise _uncertain(size)
 
-    def _between(self, begin, end):
+    def _between(self, begin: float, end: float) -> Annulus:
         """The Annulus of roots with about so many half turns of the waves between them."""
         most = float(where_waves_turn(self.matrix.pieces, np.array([np.pi * end]))[0])
         if fades(self.matrix, most):
@@ -104,7 +104,7 @@ class FarModes:
                 return Annulus(inner, outer, below, within, self._before(inner, below) + 1, roots)
         raise _uncertain(most)
 
-    def _roots(self, begin, end, effort):
+    def _roots(self, begin: float, end: float, effort: int) -> tuple[np.ndarray, np.ndarray]:
         """Polished ones beyond the small circle: values by size, and their bounds."""
         least, pieces = self.low.radius, self.matrix.pieces
         turns = np.arange(begin, end, 0.5 / effort)
@@ -124,7 +124,7 @@ class FarModes:
         values, errors, _ = polished(self._divisions, found) if len(found) else (found, abs(found), [])
         return values, errors
 
-    def _circle(self, roots, way):
+    def _circle(self, roots: np.ndarray, way: int) -> tuple[float, int]:
         """A radius between neighbours, from the first on (way 1) or from the last, and how many lie within it."""
         sizes = abs(roots)[::way]
         for one, other in pairwise(sizes):
@@ -135,12 +135,12 @@ class FarModes:
                     return radius, count
         return None, None
 
-    def _before(self, radius, count):
+    def _before(self, radius: float, count: int) -> int:
         """How many modes have |λ| < radius, within which so many eigenvalues are."""
         beyond, real = count - self.low.count, self._aside(radius)
         return len(self.low.modes) + real + (beyond - real) // 2
 
-    def _aside(self, radius):
+    def _aside(self, radius: float) -> int:
         """How many real λ there are beyond the small circle within this one."""
         if radius == self.low.radius:
             return 0
@@ -148,9 +148,9 @@ class FarModes:
             if not self._swings():
                 raise _uncertain(radius)
             self._real[radius] = sum(self._on_axis(radius, sign) for sign in (-1, 1))
-        return self._real[radius]
+        return cast("int", self._real[radius])
 
-    def _swings(self):
+    def _swings(self) -> bool:
         """Do pieces with their ends held all swing, beyond the small circle, near the imaginary axis?"""
         radius = self.low.radius
         for stack in self.matrix.stacks:
@@ -160,7 +160,7 @@ class FarModes:
                 return False
         return True
 
-    def _on_axis(self, radius, sign):
+    def _on_axis(self, radius: float, sign: int) -> int:
         """How many of them are positive, or negative."""
         for angle in ASIDE:
             count = zeros_aside(self.matrix, self.low.radius, radius, angle, sign)
@@ -179,7 +179,7 @@ class FarModes:
         raise _uncertain(radius)
 
 
-def _uncertain(radius):
+def _uncertain(radius: float) -> PhysicsError:
     return PhysicsError(f"the number of damped modes with |λ| < {radius:.4g} 1/s is not certain",
                         "modes may be too near one another, or a damper near √(Nμ) swallow nearly all waves; ask for "
                         "lower modes, or for frequency responses")

@@ -5,9 +5,9 @@ D(s) of all is of blocks: its zeros are those of the blocks, and as many.
 """
 
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -27,6 +27,7 @@ from vibcli.numerics.pieces.held_count import held_count
 from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.undamped import Mode
     from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
 
 SURE = 1e-3         # relative bound of a root that is told
@@ -37,7 +38,7 @@ BESIDE = 1.2        # times a radius: from where estimates may lead into it
 class PartWithModes:
     """Coordinates, numbered in a scene of n, and pieces that nothing ties to others; matrix: theirs."""
 
-    def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int):
+    def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int) -> None:
         self.matrix, self.coordinates, self.n = matrix, list(coordinates), n
 
     def placed(self, shapes: np.ndarray) -> np.ndarray:
@@ -51,7 +52,7 @@ class PartWithModes:
         """Pieces over these coordinates as pieces over those of the scene."""
         own = len(self.coordinates)
 
-        def moved(row):
+        def moved(row: "Mapping[int, float]") -> "dict[int, float]":
             return {self.coordinates[i] if i < own else self.n + i - own: x for i, x in row.items()}
 
         return [one._replace(rows=tuple(map(moved, one.rows))) for one in pieces]
@@ -62,7 +63,7 @@ class DampedPart(PartWithModes):
     coordinates in which short pieces lose no digits; natural: what finds its modes without dampers."""
 
     def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int, relative: DynamicMatrix,
-                 natural: Callable[[], Modes]):
+                 natural: Callable[[], Modes]) -> None:
         super().__init__(matrix, coordinates, n)
         self._natural = natural
         self._near = relative if relative.relative.short else matrix
@@ -88,11 +89,11 @@ class DampedPart(PartWithModes):
         roots = _distinct([(s, root) for s, root in roots if root.error < SURE and root.value.imag >= 0])
         return [*known, *(root._replace(shape=self.placed(self._seen(root.shape))) for root in roots)]
 
-    def _seen(self, shape):
+    def _seen(self, shape: np.ndarray) -> np.ndarray:
         """A shape over the coordinates of the scene."""
-        return self._near.in_scene(shape[None])[1][0]
+        return cast("np.ndarray", self._near.in_scene(shape[None])[1][0])
 
-    def _estimates(self, radius, effort):
+    def _estimates(self, radius: float, effort: float) -> np.ndarray:
         """Those of eigenvalues within a radius."""
         waves = []
         for placed in self._near.pieces:
@@ -122,16 +123,16 @@ class DampedPart(PartWithModes):
         return RootsOfPart(values, errors, list(map(self._of_scene, groups)),
                            [one._replace(shapes=self._of_scene(one.shapes)) for one in several])
 
-    def _of_scene(self, shapes):
+    def _of_scene(self, shapes: ShapesOf) -> ShapesOf:
         """ShapesOf over its coordinates as ones over those of the scene."""
         return shapes._replace(pieces=self.numbered(shapes.pieces), shapes=self.placed(shapes.shapes))
 
-    def _undamped(self, radius, top):
+    def _undamped(self, radius: float, top: float) -> np.ndarray:
         """iω without dampers: each root but those of strong dampers has its own near it."""
         with uncounted():
             return 1j * np.array([float(mode.omega) for mode in self._natural().between(radius / BESIDE, top)])
 
-    def _starts(self, rates, radius, top, effort):
+    def _starts(self, rates: np.ndarray, radius: float, top: float, effort: int) -> np.ndarray:
         if not self.matrix.pieces:
             return trial_eigenvalues(self.matrix, [], top)
         return estimates(self.matrix, rates, radius, float(half_turns(self.matrix.pieces, top)), effort)
@@ -140,7 +141,7 @@ class DampedPart(PartWithModes):
 class StillPart(PartWithModes):
     """One that nothing damps: its natural modes."""
 
-    def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int, natural: Modes):
+    def __init__(self, matrix: DynamicMatrix, coordinates: Sequence[int], n: int, natural: Modes) -> None:
         super().__init__(matrix, coordinates, n)
         self._natural = natural
 
@@ -159,7 +160,7 @@ class StillPart(PartWithModes):
         """All up to a frequency."""
         modes = [mode for mode in self._natural.up_to(top) if mode.omega]
         omega = np.array([float(mode.omega) for mode in modes])
-        alike: dict = defaultdict(list)
+        alike: dict[Any, list[Any]] = defaultdict(list)
         for number, mode in enumerate(modes):
             alike[id(mode.motion.system)].append(number)
         groups = []
@@ -170,12 +171,12 @@ class StillPart(PartWithModes):
         return RootsOfPart(1j * omega, np.array([float(mode.error) for mode in modes]), groups)
 
 
-def _beyond(rates, found, radius):
+def _beyond(rates: np.ndarray, found: np.ndarray, radius: float) -> np.ndarray:
     """Rates, and of those found what lies beyond a radius, none twice."""
     return distinct(np.concatenate([rates, found[abs(found) > radius * (1 - ALIKE * 0.01)]]))
 
 
-def _shape(mode):
+def _shape(mode: "Mode") -> np.ndarray:
     """Over all coordinates and nodes of its system, xᵀ D′ x = 1 as a function of s²."""
     return np.array([float(x) for x in mode.motion.shape])
 
@@ -196,7 +197,7 @@ def damped_parts(elements: "FactoredSystem", matrix: DynamicMatrix) -> list[Damp
     return found
 
 
-def _part(elements, coordinates, n):
+def _part(elements: "FactoredSystem", coordinates: list[int], n: int) -> DampedPart | StillPart:
     """A StillPart where nothing damps it and none of it grows."""
     matrix = dynamic_matrix(elements)
     if matrix.undamped and any(placed.piece.inertia for placed in elements.pieces):
@@ -213,7 +214,7 @@ def _natural(elements: "FactoredSystem") -> Modes:
     return Modes((), NaturalModes(elements.with_parts(dampers=(), C=None, G=None, drag=None)))
 
 
-def _distinct(roots):
+def _distinct(roots: Sequence[tuple[complex, DampedRoot]]) -> list[DampedRoot]:
     """Roots of which none is another one found twice, from a neighbouring estimate."""
     found: list[tuple[complex, DampedRoot]] = []
     for at, root in roots:
@@ -239,14 +240,14 @@ def cleaned(root: DampedRoot, matrix: DynamicMatrix) -> DampedRoot:
     return root._replace(value=value)
 
 
-def _usual(matrix):
+def _usual(matrix: DynamicMatrix) -> float:
     """The displacement that all members have where they move alike with unit ∫μu²: a mode all of whose nodes rest has
     no other size among its coordinates."""
     inertia = sum(float(placed.piece.inertia * placed.piece.length) for placed in matrix.pieces)
     return inertia**-0.5 if inertia else 0.0
 
 
-def _dragged(matrix, x, omega):
+def _dragged(matrix: DynamicMatrix, x: np.ndarray, omega: float) -> float:
     """Σ c ∫|u|² dx of pieces with drag."""
     found = 0.0
     for placed in matrix.pieces:

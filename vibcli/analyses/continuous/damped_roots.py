@@ -4,7 +4,7 @@ Newton's method for the whole matrix: (D(s) + δ D′(s)) x = 0 has a δ that le
 At the last, vectors x and w of D x = 0, wᴴ D = 0 give λ to rounding; what rounds in D is |ΔD_ij| ≤ E √(size_i size_j).
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -40,7 +40,7 @@ class DampedRoot(NamedTuple):
 class Whole:
     """A matrix, and the same with nodes within its pieces where it is too large near a frequency of one held."""
 
-    def __init__(self, matrix: "DynamicMatrix"):
+    def __init__(self, matrix: "DynamicMatrix") -> None:
         self.matrix, self._divided = matrix, {}
 
     def at(self, s: complex) -> "EvaluatedMatrix":
@@ -53,10 +53,10 @@ class Whole:
         candidates = [found, *others] if self.matrix.n else others
         return min(candidates, key=lambda one: np.nan_to_num(one.excess[0], nan=np.inf))
 
-    def _by(self, share):
+    def _by(self, share: float) -> "DynamicMatrix":
         if share not in self._divided:
             self._divided[share] = self.matrix.divided(share)
-        return self._divided[share]
+        return cast("DynamicMatrix", self._divided[share])
 
 
 def approached(whole: Whole, s: complex) -> complex | None:
@@ -68,7 +68,7 @@ def approached(whole: Whole, s: complex) -> complex | None:
     return found
 
 
-def _followed(whole, s):
+def _followed(whole: Whole, s: complex) -> tuple[complex, complex]:
     """(the root, the place of the last step), None where there is none."""
     shortest, best = NEARLY, None
     for _ in range(STEPS):
@@ -113,7 +113,7 @@ def roots_at(whole: Whole, s: complex) -> list[DampedRoot]:
     return out
 
 
-def _close(whole, s):
+def _close(whole: Whole, s: complex) -> list[DampedRoot]:
     """Roots with fewer shapes than they are that lie close together next to s; those of several shapes may lie further
     apart than those of one, whose Newton's steps part them. None where there are not several."""
     for wider in WIDER:
@@ -124,7 +124,7 @@ def _close(whole, s):
     return []
 
 
-def _shapes(whole, s, many):
+def _shapes(whole: Whole, s: complex, many: int) -> list[np.ndarray]:
     """What D(s) nearly takes to 0, one for each of so many roots."""
     found = whole.at(s)
     D, _, scale = _scaled(found, s)
@@ -134,7 +134,7 @@ def _shapes(whole, s, many):
     return [x[:whole.matrix.n] / _kinetic(found, x, s) for x in vectors]
 
 
-def _together(whole, s, around):
+def _together(whole: Whole, s: complex, around: float) -> tuple[complex, int]:
     """(their middle, how many there are) of roots next to s: with (ln det D)′ = tr D⁻¹D′ on a circle about it,
 
         Σ (λ − s)ᵏ = (1/2πi) ∮ (z − s)ᵏ tr D⁻¹D′ dz,
@@ -157,13 +157,14 @@ def _together(whole, s, around):
     return s + first / many, many
 
 
-def _scaled(found, s):
+def _scaled(found: "EvaluatedMatrix", s: complex) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """D and D′ with a unit for each coordinate in which what its diagonal was added from is 1; these units."""
     scale = 1 / np.sqrt(np.maximum(sizes(found, s)[:, 0], 1e-300))
-    return *(part[:, :, 0] * scale[:, None] * scale for part in (found.D, found.slope)), scale
+    D, slope = (part[:, :, 0] * scale[:, None] * scale for part in (found.D, found.slope))
+    return D, slope, scale
 
 
-def _kinetic(found, x, s):
+def _kinetic(found: "EvaluatedMatrix", x: np.ndarray, s: complex) -> float:
     """√(xᴴ M x + Σ μ ∫|u|² dx)."""
     energy = float((x.conj() @ found.matrix.polynomial[2] @ x).real)
     for stack, (d, slope) in zip(found.matrix.stacks, found.ends, strict=True):

@@ -92,7 +92,7 @@ def within_region(low: "Region") -> Known:
     return Known(low.parts, low.radius, of_parts, low.count - sum(_conjugates(rates) for rates in of_parts))
 
 
-def _conjugates(rates):
+def _conjugates(rates: np.ndarray) -> int:
     """How many λ these are with their conjugates."""
     return int(np.where(rates.imag > 0, 2, 1).sum())
 
@@ -136,7 +136,8 @@ def swallowed(matrix: "DynamicMatrix", pace: float) -> bool:
     return bool(np.linalg.svd(D, compute_uv=False)[-1] < SWALLOWED)
 
 
-def _circle(parts, roots, count, resting, barred):
+def _circle(parts: "Sequence[DampedPart | StillPart]", roots: np.ndarray, count: int, resting: int,
+            barred: "Sequence[tuple[float, float]]") -> float | None:
     """A radius within which there are as many roots as are found, about so many; None where these are others. barred:
     (|λ|, distance) of several that it does not part."""
     sizes = abs(roots)
@@ -151,7 +152,7 @@ def _circle(parts, roots, count, resting, barred):
     return None
 
 
-def _within(radius, known, parts):
+def _within(radius: float, known: DampedSeries | Known, parts: "Sequence[RootsOfPart]") -> DampedSeries:
     """The DampedSeries of those within a radius."""
     moving, kept, first = [one.moving() for one in parts], [], 0
     rates, errors = (np.concatenate([one[k] for one in moving]) for k in range(2))

@@ -54,9 +54,10 @@ class Region(NamedTuple):
 class DampedModes:
     """What `Modes` asks for damped modes; natural: what gives those without dampers."""
 
-    def __init__(self, elements: "FactoredSystem", natural: "Callable[[], Modes]"):
+    def __init__(self, elements: "FactoredSystem", natural: "Callable[[], Modes]") -> None:
         self.matrix, self._natural = dynamic_matrix(elements), natural
-        self.whole, self.region, self.annuli = Whole(self.matrix), Region(0.0, 0, []), []
+        self.whole, self.region = Whole(self.matrix), Region(0.0, 0, [])
+        self.annuli: list[Annulus] = []
         self.parts = damped_parts(elements, self.matrix)
         beta = self.matrix.retardation
         self._limit, self._ended = BELOW / beta if beta else np.inf, False
@@ -88,19 +89,19 @@ class DampedModes:
         return sum(float(mode.omega) <= Omega for mode in self.region.modes)
 
     @property
-    def _counts_far(self):
+    def _counts_far(self) -> bool:
         """Do waves travel on all pieces, the faster the shorter they are?"""
         return not self.matrix.retardation and all(placed.piece.inertia for placed in self.matrix.pieces)
 
     @cached_property
-    def _far(self):
+    def _far(self) -> FarModes:
         """What finds those far up, from some that are known."""
         self.numbered(1, LOW + len(self._resting))
         fastest = max(abs(float(placed.piece.drag / placed.piece.inertia)) for placed in self.matrix.pieces)
         self._reach(lambda sizes: True, 2.1 * fastest, 2.01 * fastest)
         return FarModes(self.matrix, self.region)
 
-    def _far_up(self, first, last):
+    def _far_up(self, first: int, last: int) -> list[DampedMode]:
         """Those of which the last is beyond many."""
         low = self._far.low.modes
         if first <= len(low):
@@ -121,12 +122,12 @@ class DampedModes:
         beyond = max(first, len(self.region.modes) + 1)
         return next((one for one in self.annuli if one.first <= beyond and last <= one.last), None)
 
-    def _start(self, last):
+    def _start(self, last: int) -> float:
         """A radius in which so many may be: the frequency of the next mode without dampers."""
         oscillating = [mode for mode in self._natural().first(last + 2) if mode.omega]
         return 1.05 * float(oscillating[-1].omega) if oscillating else 2 * self.region.radius
 
-    def _reach(self, enough, radius, least=0.0):
+    def _reach(self, enough: Callable[..., bool], radius: float, least: float = 0.0) -> None:
         """Widens the region until its roots are enough."""
         if self.region.radius >= max(least, 1e-300) and enough([1] * (len(self.region.modes) - len(self._resting))):
             return
@@ -142,7 +143,7 @@ class DampedModes:
             radius *= WIDER
         raise _few(radius / WIDER)
 
-    def _reach_limit(self):
+    def _reach_limit(self) -> None:
         """Widens the region up to where damped modes pile up, as far as their number is certain."""
         if self._ended:
             return
@@ -157,7 +158,7 @@ class DampedModes:
                 break
         self._ended = True
 
-    def _search(self, radius, enough, least):
+    def _search(self, radius: float, enough: Callable[..., bool], least: float) -> Region | None:
         """The Region about this radius or less; None where its roots are not enough."""
         undecided = None
         for effort in EFFORTS:
@@ -179,32 +180,33 @@ class DampedModes:
                 return None
         raise _undecided(undecided)
 
-    def _roots(self, radius, effort):
+    def _roots(self, radius: float, effort: float) -> list[list[DampedRoot]]:
         """Of each part the known roots, and polished ones from estimates between the known region and a radius."""
         known, edge = self.region.roots or [()] * len(self.parts), self.region.radius
         least = max(RESTING * radius if self._resting else 0.0, OVERLAP * edge)
         return [part.roots(radius, effort, own, least, edge) for part, own in zip(self.parts, known, strict=True)]
 
-    def _held(self, radius):
+    def _held(self, radius: float) -> Callable[..., int]:
         """The number of frequencies of held pieces within a radius, as a function."""
         return lambda size: sum(int(held_within(stack, size).sum()) for stack in self.matrix.stacks)
 
-    def _at_rest(self, nearest):
+    def _at_rest(self, nearest: float) -> int:
         """How often λ = 0 is an eigenvalue."""
         return (zeros_of(self.parts, 0.03 * nearest) or 0) if self._resting else 0
 
-    def _listed(self, roots):
+    def _listed(self, roots: list[DampedRoot]) -> list[DampedMode]:
         rigid = [DampedMode(i, 0.0, 0.0, None, shape, 0.0, "rigid motion: λ = 0")
                  for i, shape in enumerate(self._resting, 1)]
         return rigid + [_mode(i, root) for i, root in enumerate(_by_size(roots), len(rigid) + 1)]
 
 
-def _by_size(roots):
+def _by_size(roots: Sequence[DampedRoot]) -> list[DampedRoot]:
     """By |λ|, of equal ones those first that decay slowest."""
     return sorted(roots, key=lambda root: (round(abs(root.value) / abs(roots[0].value), 12), -root.value.real))
 
 
-def _circles(sizes, held, radius, least, enough):
+def _circles(sizes: list[float], held: Callable[..., int], radius: float, least: float,
+             enough: Callable[..., bool]) -> list[float]:
     """Radii between roots, and away from frequencies of held pieces, within which roots are enough; the clearest
     first."""
     ends, found = [*sizes, radius], []
@@ -221,24 +223,24 @@ def _circles(sizes, held, radius, least, enough):
     return [at for _, at in sorted(found[:GAPS], reverse=True)]
 
 
-def _mode(index, root):
+def _mode(index: int, root: DampedRoot) -> DampedMode:
     value, omega = root.value, abs(root.value)
     zeta = -value.real / omega if value.imag else None
     return DampedMode(index, value, omega, zeta, root.shape.astype(complex), root.error)
 
 
-def _few(radius):
+def _few(radius: float) -> PhysicsError:
     return PhysicsError(f"so many damped modes are not there: there are fewer with |λ| < {radius:.4g} 1/s",
                         "a damper near √(Nμ) of a bar, shaft or string lets no wave come back: ask for fewer modes")
 
 
-def _piled_up(beta):
+def _piled_up(beta: float) -> NoMoreTold:
     return NoMoreTold(f"damping in proportion to stiffness makes modes without end creep at rates about "
                       f"1/beta = {1 / beta:.4g} 1/s: damped modes are told below that alone",
                       "ask for fewer modes, or for frequency responses")
 
 
-def _undecided(radius):
+def _undecided(radius: float) -> PhysicsError:
     return PhysicsError(f"the number of damped modes with |λ| < {radius:.4g} 1/s is not certain"
                         if radius else "the damped modes are not told from one another",
                         "modes may be too near one another, or a damper near √(Nμ) swallow nearly all waves; ask for "

@@ -18,7 +18,7 @@ own change by R times what their fractions do.
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -53,7 +53,7 @@ class OwnRatio(NamedTuple):
 class DampedSum:
     """H of a G, which gives arrays (…, N) at complex σ (N,)."""
 
-    def __init__(self, damping: "MemberDamping", modes: "Modes", G: Callable[[np.ndarray], np.ndarray]):
+    def __init__(self, damping: "MemberDamping", modes: "Modes", G: Callable[[np.ndarray], np.ndarray]) -> None:
         self.damping, self.G, self.zeta = damping, G, float(damping.ratios[-1]) if damping.ratios else None
         known = modes.shown()
         self._lowest = min(float(mode.omega) for mode in known if mode.omega)
@@ -81,7 +81,7 @@ class DampedSum:
         """(…, N)."""
         s = np.asarray(s, complex)
         if not self.damping.ratios:
-            return self._by_fractions(s)
+            return cast("np.ndarray", self._by_fractions(s))
         parts = [self._by_ratio(s[k:k + AT_ONCE]) for k in range(0, max(len(s), 1), AT_ONCE)]
         return np.concatenate(parts, axis=-1)
 
@@ -89,13 +89,13 @@ class DampedSum:
         """s, a little beside 0 where it is 0."""
         return np.where(np.abs(s) < SMALL * self.pace, 1j * SMALL * self.pace, s)
 
-    def _by_fractions(self, s):
+    def _by_fractions(self, s: np.ndarray) -> Any:
         series, found = [float(a) for a in self.damping.series], 0.0
         for z, slope in fractions(series, self.beside_rest(s) if len(series) > 2 else s):
             found = found + self.G(np.sqrt(-z)) / slope
         return found
 
-    def _by_ratio(self, s):
+    def _by_ratio(self, s: np.ndarray) -> np.ndarray:
         s = self.beside_rest(s)
         if self.zeta <= HIGHEST:
             found = self._of_one_ratio(s, self.zeta)
@@ -111,17 +111,17 @@ class DampedSum:
             found = found + residue[..., None] * change
         return found
 
-    def _mean(self, of, s, radius):
+    def _mean(self, of: Callable[[np.ndarray, Any], np.ndarray], s: np.ndarray, radius: float) -> Any:
         """Of what stands about ζ."""
         about = self.zeta + radius * np.exp(2j * np.pi * (np.arange(CIRCLE) + 0.5) / CIRCLE)
         return sum(of(s, zeta) for zeta in about) / CIRCLE
 
-    def _even(self, s, zeta):
+    def _even(self, s: np.ndarray, zeta: Any) -> np.ndarray:
         """E at one ζ of all modes."""
         sine, turn, P, Q = _places(s, zeta)
         return (turn * self.G(P) - self.G(Q) / turn) / (2j * sine)
 
-    def _of_one_ratio(self, s, zeta):
+    def _of_one_ratio(self, s: np.ndarray, zeta: float) -> np.ndarray:
         """H at one ζ, of any kind, of all modes."""
         sine, turn, P, Q = _places(s, zeta)
         G_P, G_Q = self.G(P), self.G(Q)
@@ -130,9 +130,9 @@ class DampedSum:
         integral = self._spread @ _weights(self.pace, complex(zeta), s.tobytes())
         for root, value, gap in ((P, G_P, B - A), (Q, G_Q, A - B)) if zeta else ():
             integral = integral - self._beside(root, -value * _right(root) / (np.pi * gap))
-        return found + 2 * zeta * s * integral
+        return cast("np.ndarray", found + 2 * zeta * s * integral)
 
-    def _squared(self):
+    def _squared(self) -> np.ndarray:
         """η² G(η); where η is far below all frequencies its series in η², from a circle about 0 (Cauchy)."""
         eta, low = self._eta, self._eta < LOW * SHARE * self._lowest
         high = eta[~low]**2 * np.nan_to_num(self.G(eta[~low] + 0j)).real
@@ -141,32 +141,32 @@ class DampedSum:
         series = np.stack([(around * circle**(-2.0 * k)).mean(axis=-1).real for k in terms], axis=-1)
         return np.concatenate([series @ eta[low] ** (2.0 * terms[:, None]), high], axis=-1)
 
-    def _beside(self, root, residue):
+    def _beside(self, root: np.ndarray, residue: np.ndarray) -> np.ndarray:
         """What the trapezoidal rule has beyond an integral with a pole of that residue at u = ln(±root)."""
         u = np.log(_right(root))
         x = np.pi * (u - self._u[0]) / STEP
         side = np.sign(u.imag)
         phase = np.exp(2j * side * x)
-        return residue * -2j * np.pi * side * phase / (phase - 1)
+        return cast("np.ndarray", residue * -2j * np.pi * side * phase / (phase - 1))
 
-    def _residue(self, one):
+    def _residue(self, one: OwnRatio) -> np.ndarray:
         """R of a mode, the mean of G (ω² + σ²) about its pole."""
         turn = SHARE * one.gap * np.exp(2j * np.pi * (np.arange(CIRCLE) + 0.5) / CIRCLE)
         sigma = 1j * one.omega + turn
         return np.real((self.G(sigma) * turn * 2j * one.omega).mean(axis=-1))
 
 
-def _grid(pace):
+def _grid(pace: float) -> np.ndarray:
     """u of the trapezoidal rule."""
-    return np.log(pace) + np.arange(-REACH, REACH, STEP)
+    return cast("np.ndarray", np.log(pace) + np.arange(-REACH, REACH, STEP))
 
 
 @lru_cache(KEPT)
-def _weights(pace, zeta, points):
+def _weights(pace: float, zeta: complex, points: bytes) -> np.ndarray:
     """Those of η² G(η) at s of these bytes, (η, s): sums of several G are asked for at the same."""
     P, Q = _places(np.frombuffer(points, complex), zeta)[2:]
     eta = np.exp(_grid(pace))[:, None]
-    return (2 / np.pi) * STEP * eta / ((P * P - eta**2) * (Q * Q - eta**2))
+    return cast("np.ndarray", (2 / np.pi) * STEP * eta / ((P * P - eta**2) * (Q * Q - eta**2)))
 
 
 def fractions(series: "Sequence[float]", s: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -192,7 +192,7 @@ def fractions(series: "Sequence[float]", s: np.ndarray) -> list[tuple[np.ndarray
 
 def _value(q: np.ndarray, z: np.ndarray) -> np.ndarray:
     """q(z) of coefficients (N, degree + 1) at z (N, roots)."""
-    return np.einsum("nk,nrk->nr", q, z[:, :, None] ** np.arange(q.shape[1]))
+    return cast("np.ndarray", np.einsum("nk,nrk->nr", q, z[:, :, None] ** np.arange(q.shape[1])))
 
 
 def _slope(q: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -200,7 +200,7 @@ def _slope(q: np.ndarray, z: np.ndarray) -> np.ndarray:
     return _value(q[:, 1:] * np.arange(1, q.shape[1]), z)
 
 
-def _own(damping, modes):
+def _own(damping: "MemberDamping", modes: "Modes") -> list[OwnRatio]:
     """The OwnRatios of modes that oscillate."""
     count = len(damping.ratios)
     known: list[Mode] = [mode for mode in modes.first(count + 1) if mode.omega]
@@ -217,20 +217,20 @@ def _own(damping, modes):
     return found
 
 
-def _places(s, zeta):
+def _places(s: np.ndarray, zeta: complex) -> tuple[complex, complex, np.ndarray, np.ndarray]:
     """√(1 − ζ²), e^{iθ}, P, Q."""
     sine = np.sqrt(1 - zeta**2 + 0j)
     turn = zeta + 1j * sine
     return sine, turn, _upper(-1j * s * turn), _upper(1j * s / turn)
 
 
-def _fraction(omega, zeta, s):
-    return 1 / (omega**2 + 2 * zeta * omega * s + s * s)
+def _fraction(omega: float, zeta: float, s: np.ndarray) -> np.ndarray:
+    return cast("np.ndarray", 1 / (omega**2 + 2 * zeta * omega * s + s * s))
 
 
-def _upper(root):
+def _upper(root: np.ndarray) -> np.ndarray:
     return np.where(root.imag < 0, -root, root)
 
 
-def _right(root):
+def _right(root: np.ndarray) -> np.ndarray:
     return np.where(root.real < 0, -root, root)

@@ -1,6 +1,6 @@
 """What outputs of a scene with members answer to its loads where `damping:` damps its modes."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -18,9 +18,9 @@ POWERS = 3      # of s in an output: displacements, velocities, accelerations
 class DampedTransfer:
     """still: the ExactTransfer without damping, of loads alone; modes: those without damping."""
 
-    def __init__(self, still: "ExactTransfer", modes: "Modes", damping: "MemberDamping"):
+    def __init__(self, still: "ExactTransfer", modes: "Modes", damping: "MemberDamping") -> None:
         self.still, self.pieces, self._modes, self._damping = still, still.pieces, modes, damping
-        self._sums: dict = {}
+        self._sums: dict[Any, Any] = {}
 
     def at(self, output: "LinearOutput", s: np.ndarray) -> np.ndarray:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
@@ -31,11 +31,11 @@ class DampedTransfer:
                 found += s**power * self._sum_of(part).at(s)
         return found
 
-    def _sum_of(self, part):
+    def _sum_of(self, part: LinearOutput) -> DampedSum:
         key = tuple(sorted(part.q.items())), tuple(sorted(part.places.items()))
         if key not in self._sums:
             self._sums[key] = DampedSum(self._damping, self._modes, lambda sigma: self.still.at(part, sigma))
-        return self._sums[key]
+        return cast("DampedSum", self._sums[key])
 
 
 def of_power(output: LinearOutput, power: int) -> LinearOutput:

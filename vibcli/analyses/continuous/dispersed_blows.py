@@ -4,7 +4,8 @@ h(τ), what they do without both, z² = σ²(t² − τ²), and B(z²) = I₁(z)
     y(t) = e^{−δt} (h(t) + ∫ σ²τ B h dτ),    y′(t) = −δ y(t) + e^{−δt} (h′(t) + ½σ²t h(t) + ∫ σ⁴t τ I₂(z)/z² h dτ).
 """
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -43,15 +44,15 @@ class Dispersal(NamedTuple):
         here, faster = (float(motion.values(output, at, base + k, before)[0]) for k in (0, order))
         lost, lost_faster = (float(motion.errors(output, at, base + k)[0]) for k in (0, order))
         faded, within = np.exp(-self.delta * t), self._tail(told, t, self._of_value)
-        found = within + faded * np.array([here, lost + ROUNDED * EPSILON * abs(here)])
+        found: np.ndarray = within + faded * np.array([here, lost + ROUNDED * EPSILON * abs(here)])
         if not order:
             return found
         turned = self.square * t / 2
         rate = self._tail(told, t, self._of_rate) + faded * np.array([faster + turned * here, lost_faster + abs(
             turned) * lost + ROUNDED * EPSILON * (abs(faster) + abs(turned * here))])
-        return rate + np.array([-self.delta, abs(self.delta)]) * found
+        return cast("np.ndarray", rate + np.array([-self.delta, abs(self.delta)]) * found)
 
-    def _tail(self, told, t, kernel):
+    def _tail(self, told: Sequence[Told], t: float, kernel: Callable[[float, np.ndarray], np.ndarray]) -> np.ndarray:
         """(∫ kernel h dτ, how far it may be off)."""
         total = np.zeros(2)
         for part in told:
@@ -60,20 +61,20 @@ class Dispersal(NamedTuple):
             total += part.given @ K, (part.off + rounded * part.sizes) @ np.abs(K)
         return total
 
-    def _of_value(self, t, tau):
+    def _of_value(self, t: float, tau: np.ndarray) -> np.ndarray:
         """e^{−δt} σ²τ B."""
-        return self.square * tau * _bessel(self, 1, t, tau)
+        return cast("np.ndarray", self.square * tau * _bessel(self, 1, t, tau))
 
-    def _of_rate(self, t, tau):
+    def _of_rate(self, t: float, tau: np.ndarray) -> np.ndarray:
         """e^{−δt} σ⁴t τ I₂(z)/z²."""
-        return self.square**2 * t * tau * _bessel(self, 2, t, tau)
+        return cast("np.ndarray", self.square**2 * t * tau * _bessel(self, 2, t, tau))
 
 
-def _bessel(rates, order, t, tau):
+def _bessel(rates: Dispersal, order: int, t: float, tau: np.ndarray) -> np.ndarray:
     """e^{−δt} Iₙ(z)/zⁿ, of σ² < 0 Jₙ(|z|)/|z|ⁿ."""
     from scipy.special import ive, jv
 
     z = np.sqrt(np.maximum(abs(rates.square) * (t - tau) * (t + tau), SMALL))
     if rates.square > 0:
-        return np.exp(z - rates.delta * t) * ive(order, z) / z**order
-    return np.exp(-rates.delta * t) * jv(order, z) / z**order
+        return cast("np.ndarray", np.exp(z - rates.delta * t) * ive(order, z) / z**order)
+    return cast("np.ndarray", np.exp(-rates.delta * t) * jv(order, z) / z**order)

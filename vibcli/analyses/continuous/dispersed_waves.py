@@ -15,7 +15,8 @@ By Gauss's rule on panels of h ≤ 2/(δ + |σ| + |s|), σ²t h ≤ 16: as all b
 4h about a panel, 32 places leave less than 8⁻³⁹ e²² ~ 1e-25 of it beside polynomials r′ of degree 25 (Cauchy).
 """
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from vibcli.analyses.continuous.travelling_waves import WaveMotion
+    from vibcli.analyses.excitation.forcing import Segment
     from vibcli.base.work import Work
 
 PLACES, PACE, WIDE = 32, 2.0, 16.0      # of Gauss's rule; of panels, times their fastest rate, and times σ²t
@@ -48,7 +50,7 @@ class WaveSource(NamedTuple):
     channel: int
     velocity: bool = False
 
-    def starts(self, t: float) -> list:
+    def starts(self, t: float) -> "list[Segment]":
         """The segments of what moves it up to an instant."""
         return self.motion.forcing.segments(t * (1 + SAME) + 1e-300, self.motion.work)
 
@@ -75,9 +77,9 @@ class WaveSource(NamedTuple):
 class DispersedMotion:
     """waves: the WaveSources of all loads, and of a start."""
 
-    def __init__(self, waves: "Sequence[WaveSource]", delta: float, square: float, work: "Work"):
+    def __init__(self, waves: "Sequence[WaveSource]", delta: float, square: float, work: "Work") -> None:
         self.waves, self.delta, self.square, self.work = waves, delta, square, work
-        self._known: dict[tuple, tuple[float, float]] = {}
+        self._known: dict[tuple[Any, ...], tuple[float, float]] = {}
         self._reached = -1.0
 
     def reach(self, until: float) -> None:
@@ -96,7 +98,7 @@ class DispersedMotion:
         for motion, panels in self._panels_of(until):
             motion.march.require_few(until, int(((panels**2 + 4 * SEARCHED / panels) ** 0.5 - panels) / 2))
 
-    def _panels_of(self, until):
+    def _panels_of(self, until: float) -> "Iterator[tuple[WaveMotion, float]]":
         """(WaveMotion, how many panels there are) of each load."""
         for source in self.waves:
             starts, pace = self._load(source, until)
@@ -131,7 +133,7 @@ class DispersedMotion:
                     source.motion.require_bounded(_faster(part, order + (not source.velocity)), until - start,
                                                   None if at is None else at - start)
 
-    def _at(self, output, t, before, order):
+    def _at(self, output: LinearOutput, t: float, before: bool, order: int) -> tuple[float, float]:
         """(value, bound of its error)."""
         key = key_of(output), t, before, order
         if key not in self._known:
@@ -142,7 +144,7 @@ class DispersedMotion:
             self._known[key] = constant + value, error + EPSILON * abs(constant)
         return self._known[key]
 
-    def _load(self, source, t):
+    def _load(self, source: WaveSource, t: float) -> tuple[np.ndarray, float]:
         """(where it jumps or bends, its fastest rate)."""
         pace = self.delta + abs(self.square) ** 0.5
         if source.velocity:
@@ -151,11 +153,11 @@ class DispersedMotion:
         rates = [abs(wave.exponent) for segment in own for wave in segment.waves if wave.channel == source.channel]
         return np.array([segment.start for segment in own]), max(rates, default=0.0) + pace
 
-    def _panels(self, pace, t):
+    def _panels(self, pace: float, t: float) -> float:
         """1/h."""
         return max(pace / PACE, abs(self.square) * t / WIDE)
 
-    def _of(self, source, output, t, before, order):
+    def _of(self, source: WaveSource, output: LinearOutput, t: float, before: bool, order: int) -> np.ndarray:
         """(value, bound of its error) of what one load does, or its rate."""
         if order > 1:
             raise NotByWaves("accelerations of what disperses its waves are not followed by these")
@@ -168,7 +170,7 @@ class DispersedMotion:
                     source.motion, int(not source.velocity), output, told, later, before, faster)
         return found
 
-    def _told(self, source, output, t, before):
+    def _told(self, source: WaveSource, output: LinearOutput, t: float, before: bool) -> list[Told]:
         """What h is up to t: at places of panels, and where it is infinite."""
         motion, base = source.motion, int(not source.velocity)
         fronts = motion.breaks(output, t * (1 + SAME))
@@ -184,7 +186,8 @@ class DispersedMotion:
             told.append(Told(last, leaps, np.abs(leaps), 2 * motion.errors(output, last)))
         return told
 
-    def _after_load(self, source, output, t, before, order):
+    def _after_load(self, source: WaveSource, output: LinearOutput, t: float, before: bool,
+                    order: int) -> tuple[float, float]:
         """(value, bound of its error) of what a load, or its rate, does between its jumps."""
         output, motion, (starts, pace) = output._replace(constant=0.0), source.motion, self._load(source, t)
         fronts = motion.breaks(output, t * (1 + SAME))
@@ -216,9 +219,9 @@ def by_rates(output: LinearOutput) -> list[tuple[int, LinearOutput]]:
     return found
 
 
-def _faster(output, rates):
+def _faster(output: LinearOutput, rates: int) -> LinearOutput:
     """So high a rate of an output of places."""
-    parts: list[dict] = [{}, {}, {}]
+    parts: list[dict[Any, Any]] = [{}, {}, {}]
     parts[rates] = output.q
     places = {place._replace(rates=rates): x for place, x in output.places.items()}
     return LinearOutput(0.0, parts[0], parts[1], parts[2], places=places)
@@ -227,7 +230,7 @@ def _faster(output, rates):
 class TelegraphWaves:
     """W at an instant, the last of some `edges` of panels between which loads are smooth; largest: |f| up to then."""
 
-    def __init__(self, of: DispersedMotion, edges: np.ndarray, load: "Callable[[np.ndarray], np.ndarray]"):
+    def __init__(self, of: DispersedMotion, edges: np.ndarray, load: "Callable[[np.ndarray], np.ndarray]") -> None:
         self.delta, self.square, self.edges, self.load = of.delta, of.square, edges, load
         self._places, weights = _panels(edges[:-1], edges[1:])
         loads = load(edges[-1] - self._places)
@@ -242,7 +245,7 @@ class TelegraphWaves:
         parts = zip(np.split(tau, cuts[1:]), panel[cuts], strict=True)
         return np.concatenate([self._within(part, number) for part, number in parts], axis=1)
 
-    def _within(self, tau, panel):
+    def _within(self, tau: np.ndarray, panel: int) -> np.ndarray:
         """The same on one panel."""
         direct = np.exp(-self.delta * tau) * self.load(self.edges[-1] - tau)
         found = np.array([direct, np.abs(direct)])
@@ -254,27 +257,27 @@ class TelegraphWaves:
                 found += terms.sum(axis=1), np.abs(terms).sum(axis=1)
         return found
 
-    def _tail(self, T, tau):
+    def _tail(self, T: np.ndarray, tau: np.ndarray) -> np.ndarray:
         """e^{−δT} σ²τ B."""
         from scipy.special import i1e, j1
 
         z = np.sqrt(np.maximum(abs(self.square) * (T - tau) * (T + tau), SMALL))
         B = np.exp(z - self.delta * T) * i1e(z) / z if self.square > 0 else np.exp(-self.delta * T) * j1(z) / z
-        return self.square * tau * B
+        return cast("np.ndarray", self.square * tau * B)
 
 
-def _panels(low, high):
+def _panels(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Places and weights of Gauss's rule, (panels, PLACES)."""
     return np.add.outer((low + high) / 2, 0 * AT) + np.outer((high - low) / 2, AT), np.outer((high - low) / 2, WEIGHTS)
 
 
-def _apart(fronts, room):
+def _apart(fronts: np.ndarray, room: float) -> tuple[np.ndarray, np.ndarray]:
     """The first and the last of each group of fronts that are one but for rounding."""
     gaps = np.flatnonzero(np.diff(fronts) > room)
     return fronts[np.append(0, gaps + 1)], fronts[np.append(gaps, len(fronts) - 1)]
 
 
-def _snapped(times, starts, room):
+def _snapped(times: np.ndarray, starts: np.ndarray, room: float) -> np.ndarray:
     """Instants, those next to one of the starts being it."""
     nearest = starts[np.abs(np.subtract.outer(times, starts)).argmin(axis=-1)]
     return np.where(np.abs(times - nearest) <= room, nearest, times)

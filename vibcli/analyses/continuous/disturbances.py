@@ -9,9 +9,9 @@ no bound, a wave F e^{st} with Re s ≥ 0 that begins or ends adds at most |b F|
 less than |1 + x²|; what begins with η and η̇ there creeps with |η̇| ≤ |η₀| ω/(2 √(ζ² − 1)) + |η̇₀|.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import comb, inf, log, perm, sqrt
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -49,7 +49,8 @@ class Disturbances:
 
     ALONE = True
 
-    def __init__(self, modes: "UncountedModes", start: Start, segments: "Sequence[Segment]", creeping: tuple = ()):
+    def __init__(self, modes: "UncountedModes", start: Start, segments: "Sequence[Segment]",
+                 creeping: tuple[complex, ...] = ()) -> None:
         self.modes, self.slow = modes, _creep(creeping, modes.highest, segments)
         self._segments, self._creeping = segments, creeping
         self.damping = Damping(0.0, modes.highest, 1.0, 0.0, inf) if creeping else damping_of(modes.basis.squares,
@@ -57,7 +58,7 @@ class Disturbances:
         channels = modes.inputs.shape[1]
         self.times = np.array([segment.start for segment in segments])
         orders = (_rows_of_waves if creeping else _orders)(segments, self.damping)
-        self._start, self._sizes, self._loads = start, {}, None
+        self.start, self._sizes, self._loads = start, {}, None
         if orders is not None:
             loads = _ends_of_waves if creeping else _bends
             self._loads = loads(segments, channels, orders, start.held, self.damping.unit)
@@ -67,9 +68,9 @@ class Disturbances:
         POWERS)."""
         if part not in self._sizes:
             self._sizes[part] = self._of_part(part)
-        return self._sizes[part]
+        return cast("np.ndarray", self._sizes[part])
 
-    def _of_part(self, part):
+    def _of_part(self, part: int) -> np.ndarray:
         found = np.zeros((len(self.times), HIGHEST + 1, len(POWERS)))
         if self._loads is None:
             return found + inf
@@ -78,10 +79,11 @@ class Disturbances:
         sums = self.modes.load_sums(active.tolist()) if len(active) else {}
         for power, among in sums.items():
             self._add(found, power, among, self.modes.begins[active] < power, bends[..., active], struck[:, active])
-        found[0, 2:4] += self._start.spread
+        found[0, 2:4] += self.start.spread
         return found
 
-    def _add(self, sizes, power, sums, finite, bends, struck):
+    def _add(self, sizes: np.ndarray, power: float, sums: np.ndarray, finite: np.ndarray, bends: np.ndarray,
+             struck: np.ndarray) -> None:
         at, damping = POWERS.index(power), self.damping
         terms = damping.terms(bends.shape[1])
         beyond = (bends[..., ~finite] != 0).any(axis=-1)
@@ -114,15 +116,17 @@ class Disturbances:
         if self.damping.creeping is not None:
             return FALL
         rest = [segment._replace(waves=(), impulses=()) for segment in self._segments]
-        still = Start(0 * self._start.held, 0 * self._start.spread)
+        still = Start(0 * self.start.held, 0 * self.start.spread)
         of_field, of_loads = (Disturbances(self.modes, start, segments, self._creeping).bound(output, t) == inf
-                              for start, segments in ((self._start, rest), (still, self._segments)))
+                              for start, segments in ((self.start, rest), (still, self._segments)))
         return (BOTH if of_loads else FIELD) if of_field else SERIES
 
-    def _total(self, output, t, order, reach):
+    def _total(self, output: "LinearOutput", t: float, order: int,
+               reach: "Callable[[LinearOutput, float, int], float]") -> float:
         return sum(self._of(part, own, t, order, reach) for part, own in self.modes.parts.split(output))
 
-    def _of(self, part, output, t, order, reach):
+    def _of(self, part: int, output: "LinearOutput", t: float, order: int,
+            reach: "Callable[[LinearOutput, float, int], float]") -> float:
         found = inf
         for gained in (0.0, *GAINED) if self.damping.even else (0.0,):
             sizes = self._until(self.sizes(part), t, gained)
@@ -130,12 +134,12 @@ class Disturbances:
                                    for rate in range(3)))
         return found
 
-    def _until(self, sizes, t, gained):
+    def _until(self, sizes: np.ndarray, t: float, gained: float) -> np.ndarray:
         """Σ of sizes up to an instant, (powers of 1/ω, POWERS); of q powers more where modes are damped evenly, as
         ω^q e^{−ζωτ} falls from ω = q/(ζτ) on."""
         count, damping = max(1, int(np.searchsorted(self.times, t, side="right"))), self.damping
         if not damping.fading:
-            return sizes[:count].sum(axis=0)
+            return cast("np.ndarray", sizes[:count].sum(axis=0))
         tau = np.maximum(t - self.times[:count], 0.0)
         if gained:
             with np.errstate(divide="ignore"):
@@ -145,9 +149,10 @@ class Disturbances:
             left = np.minimum(np.exp(-damping.fading * tau), 1 / damping.grown)
         with np.errstate(invalid="ignore"):
             each = np.where(sizes[:count] == 0, 0.0, damping.grown * left[:, None, None] * sizes[:count])
-        return np.nan_to_num(each, nan=inf, posinf=inf).sum(axis=0)
+        return cast("np.ndarray", np.nan_to_num(each, nan=inf, posinf=inf).sum(axis=0))
 
-    def _of_rate(self, output, own, rate, sizes, gained, reach):
+    def _of_rate(self, output: "LinearOutput", own: int, rate: int, sizes: np.ndarray, gained: float,
+                 reach: "Callable[[LinearOutput, float, int], float]") -> float:
         if not self.modes.reads(output, own):
             return 0.0
         found, more = 0.0, rate - 1 if rate > 1 else 0
@@ -160,11 +165,11 @@ class Disturbances:
         return found * (1 + self.damping.double) ** more
 
 
-def _product(size, reach):
+def _product(size: float, reach: float) -> float:
     return size * reach if size and reach else 0.0
 
 
-def _orders(segments, damping):
+def _orders(segments: "Sequence[Segment]", damping: Damping) -> int | None:
     """How many derivatives of loads are taken; None where a load is too fast for them to become small."""
     count = 2
     for segment in segments:
@@ -177,7 +182,8 @@ def _orders(segments, damping):
     return count
 
 
-def _bends(segments, channels, orders, held, unit):
+def _bends(segments: "Sequence[Segment]", channels: int, orders: int, held: np.ndarray,
+           unit: float) -> tuple[np.ndarray, np.ndarray]:
     """Δf⁽ᵐ⁾/unitᵐ at the start of each segment, (segments, orders, channels), and impulses, (segments, channels)."""
     bends = np.zeros((len(segments), orders, channels))
     size = np.zeros(bends.shape)
@@ -195,7 +201,7 @@ def _bends(segments, channels, orders, held, unit):
     return np.where(np.abs(bends) <= ROUNDING * size, 0.0, bends), _struck(segments, channels)
 
 
-def _struck(segments, channels):
+def _struck(segments: "Sequence[Segment]", channels: int) -> np.ndarray:
     """Impulses at the start of each segment, (segments, channels)."""
     found = np.zeros((len(segments), channels))
     for number, segment in enumerate(segments):
@@ -205,7 +211,7 @@ def _struck(segments, channels):
     return found
 
 
-def _creep(series, highest, segments):
+def _creep(series: tuple[Any, ...], highest: float, segments: "Sequence[Segment]") -> float:
     """How many times |η₀| the rate of a mode that creeps becomes, inf where that is not known."""
     z = highest**2
     for share in (1.0, 0.5) if series else ():      # do 2ζ/ω and ζ grow from there on?
@@ -220,7 +226,7 @@ def _creep(series, highest, segments):
     return z / c / sqrt(1 - zeta**-2) + fastest
 
 
-def _rows_of_waves(segments, damping):
+def _rows_of_waves(segments: "Sequence[Segment]", damping: Damping) -> int | None:
     """How many rows _ends_of_waves has; None where a load is too fast."""
     waves = [wave for segment in segments for wave in segment.waves]
     if any(wave.power or complex(wave.exponent).real < 0 for wave in waves):
@@ -230,7 +236,8 @@ def _rows_of_waves(segments, damping):
     return 2 + 4 * max((len(segment.waves) for segment in segments), default=0)
 
 
-def _ends_of_waves(segments, channels, count, held, highest):
+def _ends_of_waves(segments: "Sequence[Segment]", channels: int, count: int, held: np.ndarray,
+                   highest: float) -> tuple[np.ndarray, np.ndarray]:
     """What E ω²/|b| grows by where waves begin and end, (segments, count, channels), and impulses: of steady loads
     their jumps, of all else |F|/(1 − x)."""
     found = np.zeros((len(segments), count, channels))

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
 
 
 def divided_at(placed: "PlacedPiece", x: Any, n: int) -> "list[PlacedPiece]":
@@ -17,7 +18,7 @@ def divided_at(placed: "PlacedPiece", x: Any, n: int) -> "list[PlacedPiece]":
             placed._replace(piece=right, rows=(*node, *placed.rows[half:]), start=placed.start + x)]
 
 
-def _ends_slack(piece):
+def _ends_slack(piece: "Piece") -> bool:
     from vibcli.numerics.pieces.graded import mirrored
     from vibcli.numerics.pieces.graded_parts import is_slack
 

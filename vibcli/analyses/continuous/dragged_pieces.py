@@ -1,6 +1,6 @@
 """Pieces along which drag acts: what their ends tell of ∫ w u dx of vibrations, of modes and of what loads do."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -13,7 +13,9 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.complex_modes import DampedBasis
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
+    from vibcli.analyses.continuous.mode_basis import ModeBasis
     from vibcli.analyses.continuous.unit_answers import UnitAnswers
+    from vibcli.numerics.pieces.piece import Piece
 
 NONE = 2.0**-50     # of a drag: what is none
 MOST = 4            # end values of a piece
@@ -23,7 +25,7 @@ NEAR = 1e-3         # of a turn: how far a nearly real κ is from real
 class DraggedPieces:
     """Those of an ExactTransfer whose drag exceeds 2 δ μ; drags: [(c − 2 δ μ, μ)]."""
 
-    def __init__(self, transfer: "ExactTransfer", fading: float):
+    def __init__(self, transfer: "ExactTransfer", fading: float) -> None:
         left = [(p, one.piece.drag - 2 * fading * one.piece.inertia) for p, one in enumerate(transfer.pieces)]
         self.numbers = [p for p, c in left if c > NONE * transfer.pieces[p].piece.drag]
         self.pieces = [transfer.pieces[p] for p in self.numbers]
@@ -69,7 +71,7 @@ class DraggedPieces:
             _fill(found, sizes, p, e, F, F_size, reads.get(number, none), none, e_size)
         return found, sizes
 
-    def _empty(self, n, slots, kind):
+    def _empty(self, n: int, slots: int, kind: Any) -> np.ndarray:
         return np.zeros((n, 2, len(self.drags), 2 * (MOST + slots)), kind)
 
     def squares(self, basis: "DampedBasis", modes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -89,7 +91,7 @@ class DraggedPieces:
         return plain, sizes
 
 
-def _mean_slope(piece, kappa, d, slope, turns):
+def _mean_slope(piece: "Piece", kappa: np.ndarray, d: np.ndarray, slope: np.ndarray, turns: np.ndarray) -> np.ndarray:
     """(d(κ) − d(κ̄))/(κ − κ̄), by Simpson's rule where κ is nearly real."""
     near = turns * np.abs(kappa.imag) < NEAR * np.abs(kappa)
     found = d.imag / np.where(near, 1.0, kappa.imag)[:, None, None]
@@ -99,7 +101,8 @@ def _mean_slope(piece, kappa, d, slope, turns):
     return found
 
 
-def _fill(found, sizes, p, e, F, F_size, shown, acts, e_size=None):
+def _fill(found: np.ndarray, sizes: np.ndarray, p: int, e: np.ndarray, F: np.ndarray, F_size: np.ndarray,
+          shown: np.ndarray, acts: np.ndarray, e_size: np.ndarray | None = None) -> None:
     """What makes up eᵤᵀ F_w − e_wᵀ Fᵤ + ∫ u p_w − w pᵤ dx on the p-th piece."""
     order, slots = e.shape[1], shown.shape[1]
     for side, parts in enumerate(((F, -e, acts, -shown), (e, F, shown, acts))):
@@ -111,7 +114,7 @@ def _fill(found, sizes, p, e, F, F_size, shown, acts, e_size=None):
         sizes[:, 1, p, :order] = sizes[:, 0, p, MOST:MOST + order] = e_size
 
 
-def _force(piece, x, turned):
+def _force(piece: "Piece", x: float, turned: bool) -> dict[int, float]:
     """{derivative: factor} that make up the size of a force on an end."""
     tension = abs(piece.tension + piece.gradient * x)
     if piece.order == 2:
@@ -119,7 +122,7 @@ def _force(piece, x, turned):
     return {2: piece.bending} if turned else {1: tension, 3: piece.bending}
 
 
-def _lost(basis, number, x, factors):
+def _lost(basis: "ModeBasis", number: int, x: float, factors: "Mapping[int, float]") -> np.ndarray:
     """What they are rounded from in each mode."""
     read = LinearOutput(places={FieldPoint(number, x, along): factor for along, factor in factors.items()})
-    return basis.lost(read)[0] / ROUNDED
+    return cast("np.ndarray", basis.lost(read)[0] / ROUNDED)

@@ -8,8 +8,9 @@ there pieces are divided by a node that is free to move.
 """
 
 from collections import defaultdict
+from collections.abc import Iterable
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -38,7 +39,8 @@ class PieceStack:
 
     __slots__ = ("beta", "ends", "numbers", "piece", "retarded", "shares", "short")
 
-    def __init__(self, placed: "Sequence[PlacedPiece]", numbers: "Sequence[int]", ends: "Sequence[tuple]", short: bool):
+    def __init__(self, placed: "Sequence[PlacedPiece]", numbers: "Sequence[int]",
+                 ends: "Sequence[tuple[dict[int, float], ...]]", short: bool) -> None:
         self.ends, self.numbers, self.short = list(ends), list(numbers), short
         self.shares = [[(i, j, a, b, float(x * y)) for a, row in enumerate(rows) for b, other in enumerate(rows)
                         for i, x in row.items() for j, y in other.items()] for rows in self.ends]
@@ -65,7 +67,7 @@ class PieceStack:
         kappa, force = np.abs(retarded_reaction(piece, s, self.beta)), np.abs(piece.tension)
         waves = piece.bending**0.25 * np.sqrt(kappa * np.sqrt(kappa))       # κ^¾
         natural = 12 * piece.bending / piece.length**3 + waves + force / piece.length + np.sqrt(force * kappa)
-        return (np.abs(d[0, 0]) / (natural * np.abs(1 + self.beta * s))).max(axis=0)
+        return cast("np.ndarray", (np.abs(d[0, 0]) / (natural * np.abs(1 + self.beta * s))).max(axis=0))
 
 
 class DynamicMatrix:
@@ -74,7 +76,7 @@ class DynamicMatrix:
     coordinates, and so are polynomial and the rows of pieces then."""
 
     def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]",
-                 spread: "Mapping[int, SpreadDrive] | None" = None, kept: "Collection[int] | None" = None):
+                 spread: "Mapping[int, SpreadDrive] | None" = None, kept: "Collection[int] | None" = None) -> None:
         self.n, self.spread, self.kept, self._given = polynomial.shape[-1], spread or {}, kept, (polynomial, pieces)
         self.relative = relative_coordinates(pieces, kept) if kept is not None else None
         short = self.relative.short if self.relative is not None else {}
@@ -184,7 +186,7 @@ class DynamicMatrix:
                     _added(slope, stack.shares[p], steeper[:, :, p])
         return EvaluatedMatrix(self, D, slope, size, excess, ends, self._put(D, slope, s) if loaded else {}, given)
 
-    def _put(self, D, slope, s):
+    def _put(self, D: np.ndarray, slope: np.ndarray | None, s: np.ndarray) -> dict[Any, Any]:
         """Adds the columns of loads along members: {number of a piece: [(coordinate of an input, what it puts on the
         ends (N, m), its slope)]}."""
         found = defaultdict(list)
@@ -202,7 +204,7 @@ class DynamicMatrix:
                             slope[i, j] -= float(x) * steeper[:, a]
         return found
 
-    def _polynomial(self, s, steep, away):
+    def _polynomial(self, s: np.ndarray, steep: bool, away: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
         """K + s C + s² M and its slope, real where it may be: (n, n, N); away: where C is what is left of it."""
         square = s * s if s.real.any() else -s.imag**2
         n, kind = self.n, square.dtype if self.undamped else complex
@@ -220,13 +222,14 @@ class DynamicMatrix:
         return D, slope
 
 
-def _added(D, shares, d):
+def _added(D: np.ndarray, shares: Iterable[tuple[int, int, int, int, float]], d: np.ndarray) -> None:
     """Adds Sᵀ d S to D."""
     for i, j, a, b, share in shares:
         D[i, j] += d[a, b] if share == 1.0 else share * d[a, b]
 
 
-def _left(piece, Z, s, away, d, steeper):
+def _left(piece: Piece, Z: np.ndarray, s: np.ndarray, away: np.ndarray, d: np.ndarray,
+          steeper: np.ndarray | None) -> tuple[np.ndarray, np.ndarray | None]:
     """d and dd/ds with √(Nμ) s added to what ends answer themselves, where waves leave."""
     with np.errstate(all="ignore"):
         own, rise = leaving(piece, np.where(Z, Z, 1.0), s)
@@ -241,15 +244,14 @@ def _left(piece, Z, s, away, d, steeper):
 
 class EvaluatedMatrix:
     """D and D′ (n, n, N); size: of the parts that the diagonal was added from, given: of the dampers that are in these,
-    or taken off, (n, N); excess: that of the pieces;
-    ends: (d, dd/ds) of each stack; put: {number of a piece: [(coordinate of an input, what its load puts on the ends
-    (N, m), the slope of that)]}."""
+    or taken off, (n, N); excess: that of the pieces; ends: (d, dd/ds) of each stack; put: {number of a piece:
+    [(coordinate of an input, what its load puts on the ends (N, m), the slope of that)]}."""
 
     __slots__ = ("D", "ends", "excess", "given", "matrix", "put", "size", "slope")
 
     def __init__(self, matrix: DynamicMatrix, D: np.ndarray, slope: np.ndarray | None, size: np.ndarray,
-                 excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray | None]]", put: "Mapping[int, list]",
-                 given: np.ndarray):
+                 excess: np.ndarray, ends: "list[tuple[np.ndarray, np.ndarray | None]]", put: "Mapping[int, list[Any]]",
+                 given: np.ndarray) -> None:
         self.matrix, self.D, self.slope, self.size, self.excess, self.ends = matrix, D, slope, size, excess, ends
         self.put, self.given = put, given
 
@@ -277,13 +279,13 @@ def dynamic_matrix(elements: "FactoredSystem", pieces: "Sequence[PlacedPiece] | 
     return DynamicMatrix(polynomial, elements.pieces if pieces is None else pieces, spread, kept)
 
 
-def _padded(polynomial, n):
+def _padded(polynomial: np.ndarray, n: int) -> np.ndarray:
     """With further coordinates."""
     more = n - polynomial.shape[-1]
     return np.pad(polynomial, ((0, 0), (0, more), (0, more)))
 
 
-def _polynomial(elements, n):
+def _polynomial(elements: "FactoredSystem", n: int) -> np.ndarray:
     """K, C + G, M as (3, n, n), without the springs that pieces are at rest."""
     M, C, G, _ = elements.matrices()
     K = dict(elements.K)

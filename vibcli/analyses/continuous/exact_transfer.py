@@ -4,7 +4,7 @@
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
-    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
     from vibcli.mechanics.factored_system import PlacedPiece
 
 
@@ -36,16 +36,16 @@ class ExactTransfer:
     DrivenEnds, spread: SpreadDrives, the channels behind those of the n coordinates."""
 
     def __init__(self, polynomial: np.ndarray, pieces: "Sequence[PlacedPiece]", driven: Sequence[DrivenEnd],
-                 spread: "Sequence[SpreadDrive]" = ()):
+                 spread: "Sequence[SpreadDrive]" = ()) -> None:
         self.matrix, self.pieces, self.driven = DynamicMatrix(polynomial, pieces), list(pieces), list(driven)
         self._near = DynamicMatrix(polynomial, pieces, kept=())
         self.n, self.spread = polynomial.shape[-1], list(spread)
-        self._known: dict[bytes, tuple] = {}
+        self._known: dict[bytes, tuple[Any, ...]] = {}
 
     @property
     def channels(self) -> int:
         """How many there are."""
-        return self.n + len(self.driven) + len(self.spread)
+        return cast("int", self.n + len(self.driven) + len(self.spread))
 
     def at(self, output: "LinearOutput", s: np.ndarray) -> np.ndarray:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
@@ -68,7 +68,7 @@ class ExactTransfer:
             found += factor * s**place.rates * values
         return found
 
-    def _field(self, place, s, bent, ends):
+    def _field(self, place: "FieldPoint", s: np.ndarray, bent: np.ndarray | None, ends: np.ndarray) -> np.ndarray:
         """u and its derivatives at a place, (channels, number of s, order)."""
         one = self.pieces[place.piece].piece
         kappa = one.reaction(s)
@@ -79,7 +79,7 @@ class ExactTransfer:
         found[:, long] = relative_fields(one, kappa[long], bent[:, long], np.full(kappa[long].shape, place.x))
         return found
 
-    def _kept(self, s):
+    def _kept(self, s: np.ndarray) -> tuple[np.ndarray, dict[int, np.ndarray]]:
         """What moves does not hang on what is read: the last of them."""
         asked = s.tobytes()
         if asked not in self._known:
@@ -88,7 +88,7 @@ class ExactTransfer:
             self._known[asked] = self._moved(s)
         return self._known[asked]
 
-    def _moved(self, s):
+    def _moved(self, s: np.ndarray) -> tuple[np.ndarray, dict[int, np.ndarray]]:
         """The coordinates of D, (n, channels, number of s), and u₀, θ₀, F, P of short pieces, {number: (channels,
         number of s, 4)}."""
         forces = np.zeros((len(s), self.n, self.channels), complex)
@@ -109,4 +109,4 @@ class ExactTransfer:
 
     def at_rest(self, q: np.ndarray) -> np.ndarray:
         """The forces that hold coordinates q at rest: D(0) q."""
-        return self.matrix.at(np.zeros(1)).D[:, :, 0].real @ q
+        return cast("np.ndarray", self.matrix.at(np.zeros(1)).D[:, :, 0].real @ q)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
-    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.forcing import Forcing, Segment
     from vibcli.mechanics.factored_system import PlacedPiece
 
 ORDERS = 5          # u … u⁗
@@ -30,7 +30,7 @@ ORDERS = 5          # u … u⁗
 class StartInFields:
     """Coordinates and their rates at t = 0, and (u, v) over each piece, Forcings of the place, as of start_energy."""
 
-    def __init__(self, transfer: "ExactTransfer", begun: tuple[np.ndarray, np.ndarray], given: "Sequence[Any]"):
+    def __init__(self, transfer: "ExactTransfer", begun: tuple[np.ndarray, np.ndarray], given: "Sequence[Any]") -> None:
         self.transfer, self.begun, self.given = transfer, begun, given
 
     def twice(self, k: int) -> float:
@@ -43,11 +43,11 @@ class StartInFields:
         return self._of_rate[1]
 
     @cached_property
-    def _of_motion(self):
+    def _of_motion(self) -> float:
         return start_energy(self.transfer, self.begun, self.given)
 
     @cached_property
-    def _of_rate(self):
+    def _of_rate(self) -> tuple[float, np.ndarray]:
         (q, v), (K, C, M) = self.begun, self.transfer.matrix.polynomial
         forces, sizes = K @ q + C @ v, np.abs(K) @ np.abs(q) + np.abs(C) @ np.abs(v)
         found = float(v @ K @ v)
@@ -102,7 +102,7 @@ def _accelerated(one: "PlacedPiece", u: "Forcing | None", speed: "Forcing | None
     return found
 
 
-def _along(segment, x):
+def _along(segment: "Segment", x: float) -> np.ndarray:
     """u, u′ … u⁗, and what they are rounded from."""
     return sum((np.array(derivatives(wave, x - segment.start, ORDERS)) for wave in segment.waves if not wave.channel),
                np.zeros((2, ORDERS)))

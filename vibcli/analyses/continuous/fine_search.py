@@ -1,6 +1,7 @@
 """The largest value of a motion by very many modes within what fewer of them leave open: windows of time on equidistant
 grids, twice as many modes at a time, each window as fine as its modes need and as narrow as those before left it."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -41,7 +42,7 @@ def highest(motion: "ModalMotion", output: "LinearOutput", cells: np.ndarray, kn
     return t, sense * value
 
 
-def _windows(motion, cells):
+def _windows(motion: "ModalMotion", cells: np.ndarray) -> "list[tuple[float, float, FreeStretch]] | None":
     """[(start, end, its stretch)], the narrowest gaps closed; None where stretches are too many."""
     stretches = motion.stretches(float(cells[-1, 1]))
     starts = np.array([one.start for one in stretches])
@@ -65,7 +66,8 @@ class EvenSpan(NamedTuple):
     step: float
 
 
-def _parts(motion, output, window, count):
+def _parts(motion: "ModalMotion", output: "LinearOutput", window: "tuple[float, float, FreeStretch]",
+           count: int) -> list[EvenSpan]:
     """The EvenSpans of a window at whose beginnings fast states have died out."""
     low, high, stretch = window
     weights, rates = motion.swings(output, stretch, count)
@@ -77,7 +79,8 @@ def _parts(motion, output, window, count):
             for begin, end, speed in zip(edges[:-1].tolist(), edges[1:].tolist(), speeds, strict=True) if begin < end]
 
 
-def _on_part(motion, output, part, count):
+def _on_part(motion: "ModalMotion", output: "LinearOutput", part: EvenSpan,
+             count: int) -> tuple[np.ndarray, np.ndarray, float] | None:
     """(cells, values at their ends, rest): by so many modes, rest being what the others can add; None where modes decay
     too differently."""
     low, high, stretch, step = part
@@ -94,7 +97,7 @@ def _on_part(motion, output, part, count):
     return cells, np.stack([values[:-1], values[1:]], axis=1), motion.bound(output, low, modes=count)
 
 
-def _swung(weights, rates, tau):
+def _swung(weights: np.ndarray, rates: np.ndarray, tau: np.ndarray) -> np.ndarray | None:
     """Re Σ c e^{λτ} on a grid, as e^{λτ} = e^{(σ + iω)τ} Σ ((Re λ − σ)τ)ᵏ/k!, σ being the slowest decay."""
     sizes, slowest = np.abs(weights), float(rates.real.max()) if len(rates) else 0.0
     apart, left, terms = (slowest - rates.real) * tau[-1], sizes, 0
@@ -110,7 +113,7 @@ def _swung(weights, rates, tau):
     return found * np.exp(slowest * tau)
 
 
-def _left(found, sense):
+def _left(found: Sequence[tuple[np.ndarray, np.ndarray, float]], sense: int) -> tuple[np.ndarray, ...]:
     """The cells that may hold the extreme, in order, the larger value at their ends in that sense, and how far it rises
     between them at most."""
     least = max(float((sense * values).max()) - rest for _, values, rest in found)

@@ -3,7 +3,7 @@
     K = ∫ (B N″N″ᵀ + (N + n x) N′N′ᵀ + k N Nᵀ) dx      M = ∫ μ N Nᵀ dx      (Przemieniecki 1968, ch. 5 and 11)
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -34,7 +34,7 @@ def finite_elements(elements: "FactoredSystem", divisions: int) -> tuple[np.ndar
     return K, M
 
 
-def element_nodes(elements: "FactoredSystem", divisions: int) -> tuple[int, list[list[tuple]]]:
+def element_nodes(elements: "FactoredSystem", divisions: int) -> tuple[int, list[list[tuple[dict[int, float], ...]]]]:
     """(how many coordinates there are, [rows of each node of a piece, its ends among them] of each piece)."""
     size, found = elements.n, []
     for placed in elements.pieces:
@@ -64,7 +64,7 @@ def slack_ends(placed: "PlacedPiece") -> list[int]:
     return [i for i, tension in enumerate(tensions) if not placed.rows[i] and abs(tension) <= least]
 
 
-def with_slack_ends(placed: "PlacedPiece", size: int) -> tuple:
+def with_slack_ends(placed: "PlacedPiece", size: int) -> tuple[dict[int, float], ...]:
     """Its rows, those of slack ends with coordinates of their own, which count from `size` on."""
     rows = list(placed.rows)
     for j, i in enumerate(slack_ends(placed)):
@@ -86,13 +86,13 @@ def element_matrices(piece: "Piece") -> tuple[np.ndarray, np.ndarray]:
     length = float(piece.length)
     values = shapes(piece.order, length, AT)[:3]
     tension = float(piece.tension) + float(piece.gradient) * AT * length
-    K = sum(_products(f, factor * WEIGHTS * length) for f, factor in zip(
+    K: Any = sum(_products(f, factor * WEIGHTS * length) for f, factor in zip(
         values[::-1], (float(piece.bending), tension, float(piece.foundation))[-len(values):], strict=True))
     return K, _products(values[0], float(piece.inertia) * WEIGHTS * length)
 
 
-def _products(values, weights):
-    return (values * weights) @ values.T
+def _products(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    return cast("np.ndarray", (values * weights) @ values.T)
 
 
 def shapes(order: int, length: float, x: np.ndarray) -> tuple[np.ndarray, ...]:

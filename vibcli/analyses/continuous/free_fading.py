@@ -28,12 +28,12 @@ def fading(transfer: "ExactTransfer") -> float:
     return next((share * most / 2 for share in SHARES if _is_held(transfer, share * most / 2)), 0.0)
 
 
-def _none_negative(C):
+def _none_negative(C: np.ndarray) -> bool:
     size = np.sqrt(np.abs(np.diagonal(C)))
     return bool((np.linalg.eigvalsh(C / np.outer(*[np.where(size, size, 1.0)] * 2)) >= -ALIKE).all())
 
 
-def _is_held(transfer, delta):
+def _is_held(transfer: "ExactTransfer", delta: float) -> bool:
     """Is D(−δ) surely positive?"""
     (K, C, M), s = transfer.matrix.polynomial, np.float64(-delta)
     D = K + s * C + s**2 * M

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from math import perm
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -28,7 +28,7 @@ class Harmonic(NamedTuple):
 class KeptUpMotion(SteadyMotion):
     """Harmonics on so many channels, which outputs read."""
 
-    def __init__(self, channels: int, harmonics: Sequence[Harmonic], work: "Work"):
+    def __init__(self, channels: int, harmonics: Sequence[Harmonic], work: "Work") -> None:
         waves = [Wave(one.channel, one.X, one.power, 1j * one.Omega) for one in harmonics if one.X]
         forcing, none = Forcing(channels, [Segment(0.0, tuple(waves))]), np.zeros((0, 0))
         self.harmonics, self.lasting, self.period = list(harmonics), False, None
@@ -49,7 +49,7 @@ class KeptUpMotion(SteadyMotion):
     def steady(self) -> "KeptUpMotion":
         return self
 
-    def _sees_drift(self, output):
+    def _sees_drift(self, output: "LinearOutput") -> bool:
         return True
 
     def off(self, wave: tuple[complex, np.ndarray, np.ndarray]) -> np.ndarray:
@@ -62,4 +62,4 @@ class KeptUpMotion(SteadyMotion):
         more: Any = sum(abs(output.channels.get(one.channel, 0.0)) * one.error * (
             perm(one.power, order) * times**(one.power - order) if order <= one.power > 0 else one.Omega**order)
             for one in self.harmonics)
-        return super().errors(output, times, order) + more
+        return cast("np.ndarray", super().errors(output, times, order) + more)

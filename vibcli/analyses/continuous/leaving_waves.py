@@ -8,13 +8,13 @@ A damper c beside it then adds up to s (c − Z) + Z s g: c − Z is formed once
 nothing of g is lost beside it where the damper is matched, or nearly so.
 """
 
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
 
     from vibcli.numerics.pieces.piece import Piece
 
@@ -29,7 +29,8 @@ def impedances(piece: "Piece", beta: np.ndarray) -> np.ndarray:
     return np.sqrt(np.where(plain, piece.tension * piece.inertia, 0.0))
 
 
-def without_leaving(C: np.ndarray, parts: "Sequence[tuple[float, float, Sequence]]") -> np.ndarray:
+def without_leaving(C: np.ndarray,
+                    parts: "Iterable[tuple[float, float, tuple[dict[int, float], ...]]]") -> np.ndarray:
     """C − Σ Z SᵀS of pieces (N, μ, rows S): an entry that is nothing beside what it is added from is 0."""
     found = np.array([[Fraction(0)] * len(C) for _ in C], object)
     size = np.abs(C)
@@ -45,7 +46,7 @@ def without_leaving(C: np.ndarray, parts: "Sequence[tuple[float, float, Sequence
     return np.where(np.abs(left) > SAME * size, left, 0.0)
 
 
-def _root(tension, inertia):
+def _root(tension: float, inertia: float) -> Fraction:
     """√(Nμ) to twice the digits of a float."""
     square = Fraction(tension) * Fraction(inertia)
     near = Fraction(float(np.sqrt(tension * inertia)))

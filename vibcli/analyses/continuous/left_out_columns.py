@@ -62,7 +62,7 @@ class Column(NamedTuple):
             own, around[self.smooth] = own / (tau - places.circle), -self._symbol(tau) / (2 * AROUND)
         return np.concatenate([own, around.ravel()])
 
-    def _symbol(self, s):
+    def _symbol(self, s: np.ndarray) -> np.ndarray:
         """f̂(s)."""
         if self.power < 0:
             return -1.0 + 0 * s

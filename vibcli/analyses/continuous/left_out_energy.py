@@ -17,13 +17,14 @@ that of a step; Π takes off what each mode between this circle and those left o
 """
 
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from vibcli.analyses.continuous.damped_energies import ROUNDED, DampedSwings, OwnEnergies, energies
 from vibcli.analyses.continuous.dragged_pieces import DraggedPieces
 from vibcli.analyses.continuous.free_fading import fading
+from vibcli.analyses.continuous.left_out_causes import flaw_of
 from vibcli.analyses.continuous.left_out_columns import MANY, SHARES, Column, PlacesOnCircles, places_on
 from vibcli.analyses.continuous.left_out_readings import Reading, readings
 from vibcli.analyses.continuous.modal_reads import key_of
@@ -68,7 +69,7 @@ class LeftOutEnergy:
     """Of ComplexModes; begun: q and v at t = 0; of a start in fields that: a StartInFields; fading: δ."""
 
     def __init__(self, modes: "ComplexModes", transfer: "ExactTransfer", begun: "tuple[np.ndarray, np.ndarray]",
-                 start: "StartInFields | None" = None):
+                 start: "StartInFields | None" = None) -> None:
         self.modes, self.states, self.basis, self.transfer = modes, modes.states, modes.basis, transfer
         self.n, (_, C, M), rates = transfer.n, transfer.matrix.polynomial, modes.states.rates
         self.held, self.struck = (transfer.at_rest(begun[0]), M @ begun[1]) if start is None else np.zeros((2, self.n))
@@ -78,9 +79,7 @@ class LeftOutEnergy:
         size = np.sqrt(np.maximum(np.diagonal(C), 0.0))
         values, vectors = np.linalg.eigh(C / np.outer(*[np.where(size, size, 1.0)] * 2))
         self._strokes = (size[:, None] * vectors * np.sqrt(np.maximum(values, 0.0)))[:, values > INDEFINITE]
-        self.valid = bool((C == C.T).all() and (values >= -INDEFINITE).all() and not C[size == 0].any()
-                          and not self._grows() and (start is None or start.twice(0) < inf)
-                          and not any(one.retardation for one in transfer.pieces))
+        damps = bool((C == C.T).all() and (values >= -INDEFINITE).all() and not C[size == 0].any())
         apart = min(APART, (BALANCE / max(1, len(rates))) ** 0.5)
         half = int(PLACES / apart / 2) + 1
         turn = np.exp(1j * np.pi * (np.arange(half) + 0.5) / half)
@@ -89,8 +88,9 @@ class LeftOutEnergy:
                          for circle, share in zip(circles, SHARES, strict=True)] for smooth in range(2)]
         least = (1 - 1.5 * apart) * (1 - apart) * self.basis.radius
         self.chosen = np.flatnonzero(np.abs(rates) > least)
-        self.valid &= self.basis.of_points <= (least if start is None else 0.0) and (
-            start is None or len(rates) <= MOST)
+        told_apart = self.basis.of_points <= least if start is None else not self.basis.of_points and len(rates) <= MOST
+        self.flaw = flaw_of(damps, any(one.retardation for one in transfer.pieces), self._grows(),
+                            start is not None and start.twice(0) == inf, told_apart)
         self.loads, self._start = UnitLoadsOf(transfer), start
         self._known: dict[Any, Any] = {}
 
@@ -104,14 +104,14 @@ class LeftOutEnergy:
         if ("begun", k) not in self._known:
             twice = 0.0 if self._start is None else self._start.twice(k)
             self._known["begun", k] = self._begun(k, twice) if 0 < twice < inf else twice
-        return self._known["begun", k]
+        return cast("float", self._known["begun", k])
 
     @property
     def begun_by(self) -> np.ndarray:
         """The blows of A z of a start in fields, on each coordinate."""
         return np.zeros(self.n) if self._start is None else self._start.blows
 
-    def _begun(self, k, twice):
+    def _begun(self, k: int, twice: float | None) -> float:
         chosen, modes = np.flatnonzero(self.states.rates), self.modes
         rates, shown = self.states.rates[chosen], modes.shown_by_start[k][chosen]
         begin = self.states.begin[chosen] * rates**k
@@ -126,7 +126,7 @@ class LeftOutEnergy:
         lost = modes.doubt.size[chosen] * np.abs(begin) + np.abs(rates) ** k * modes.lost[chosen]
         return float(np.sqrt(max(found, 0.0) + off) + np.sqrt(own.energies) @ lost)
 
-    def _grows(self):
+    def _grows(self) -> bool:
         """Does a mode, as where K is not positive? Not one that nothing damps, which rounding makes seem to."""
         rates = self.states.rates
         return bool((rates.real > (self.basis.errors[self.states.modes] + EPSILON) * np.abs(rates)).any())
@@ -154,14 +154,15 @@ class LeftOutEnergy:
                            lambda s: self.loads.of_output(output, s), (row @ self.loads.inverse @ row)[None, None],
                            smooth)
 
-    def _slots(self, felt, forces, along, answers: "Callable[[np.ndarray], UnitAnswers]", massive, smooth):
+    def _slots(self, felt: np.ndarray, forces: np.ndarray, along: dict[int, np.ndarray],
+               answers: "Callable[[np.ndarray], UnitAnswers]", massive: np.ndarray, smooth: bool) -> Slots:
         modes, own = self._modes(felt - forces, along, self.chosen)
         share = np.where(self.states.rates.imag > 0, 2.0, 1.0)[self.chosen, None]
         places = self._places[smooth]
         circles = [self._circle(answers(one.all)) for one in places]
         return Slots(share * felt, modes._replace(loads=-forces), own, circles, massive, places)
 
-    def _circle(self, answers):
+    def _circle(self, answers: "UnitAnswers") -> DampedSwings:
         """DampedSwings of all slots at each place of a circle."""
         slots, m = answers.moved.shape[1:]
         strokes = np.einsum("nl,nks->skl", self._strokes, answers.moved).reshape(m * slots, -1)
@@ -203,26 +204,26 @@ class LeftOutEnergy:
         """‖Π (τ − A)⁻¹ Σ e b‖ for each τ, (τ, rows of e)."""
         return self._smooth_norms(self._sums(channels, _smooth(columns)), e)
 
-    def _sums(self, channels, columns):
+    def _sums(self, channels: "Sequence[int]", columns: "Sequence[Column]") -> tuple[np.ndarray, ...]:
         smooth = columns[0].smooth is not None
         on, key = (tuple(channels), smooth), (tuple(channels), tuple(columns))
         if key not in self._known:
             if on not in self._known:
                 self._known[on] = self.of_channels(channels, smooth)
             self._known[key] = self.of_columns(self._known[on], columns)
-        return self._known[key]
+        return cast("tuple[np.ndarray, ...]", self._known[key])
 
-    def _smooth_norms(self, sums, e):
+    def _smooth_norms(self, sums: tuple[np.ndarray, ...], e: np.ndarray) -> np.ndarray:
         blocks = np.arange(MANY * e.shape[1]).reshape(MANY, -1)
         found, off, slips = sums
         return np.array([self._norms((found[np.ix_(at, at)], off[np.ix_(at, at)], slips[at]), e) for at in blocks])
 
-    def _norms(self, sums, e):
+    def _norms(self, sums: tuple[np.ndarray, ...], e: np.ndarray) -> np.ndarray:
         found, off, slips = sums
         squares = (np.einsum("ka,ab,kb->k", one, part, one) for one, part in ((e, found), (np.abs(e), off)))
-        return np.sqrt(sum(np.maximum(part, 0.0) for part in squares)) + np.abs(e) @ slips
+        return cast("np.ndarray", np.sqrt(sum(np.maximum(part, 0.0) for part in squares)) + np.abs(e) @ slips)
 
-    def _modes(self, reads, along, chosen):
+    def _modes(self, reads: np.ndarray, along: dict[int, Any], chosen: np.ndarray) -> tuple[DampedSwings, OwnEnergies]:
         """Those of the modes, and their OwnEnergies."""
         key = len(chosen), "modes"
         if key not in self._known:
@@ -231,7 +232,7 @@ class LeftOutEnergy:
         none = np.zeros(reads.shape)
         return DampedSwings(*swings, reads, none, *self._dragged.of_modes(ends, along, none)), own
 
-    def _alone(self, chosen):
+    def _alone(self, chosen: np.ndarray) -> tuple[tuple[np.ndarray, ...], OwnEnergies, list[Any]]:
         """Rates, errors, strokes and sizes of these, their energies, by what they lose, or, where that is little, by
         their mass, and their ends."""
         numbers, lost = self.states.modes[chosen], self._lost(chosen)
@@ -251,10 +252,10 @@ class LeftOutEnergy:
         own = OwnEnergies(np.where(surer, by_mass, by_loss), np.where(surer, off_by_mass, off_by_loss), plain)
         return (rates, errors, strokes, sizes), own, self._dragged.ends_of_modes(self.basis, numbers)
 
-    def _lost(self, chosen):
+    def _lost(self, chosen: np.ndarray) -> np.ndarray:
         """What rounding leaves of the strokes of modes."""
         lost = np.array([self.basis.lost(LinearOutput(q={i: 1.0}))[0] for i in range(self.n)])
-        return lost.reshape(self.n, -1)[:, self.states.modes[chosen]].T @ np.abs(self._strokes)
+        return cast("np.ndarray", lost.reshape(self.n, -1)[:, self.states.modes[chosen]].T @ np.abs(self._strokes))
 
     def readings(self, output: LinearOutput, order: int) -> list[Reading]:
         """What makes up an output's order-th rate."""
@@ -267,7 +268,7 @@ class LeftOutEnergy:
             columns, e = reading.columns(reading.level, self.fading)
             sums = self.of_columns(self.of_output(reading.output), columns)
             self._known[key] = float(self._norms(sums, np.array([e]))[0])
-        return self._known[key]
+        return cast("float", self._known[key])
 
     def smooth_reaches(self, reading: Reading) -> np.ndarray:
         """‖Π (τ − A)⁻¹ A¹⁻ᵏ a‖ for each τ, (τ,)."""
@@ -276,7 +277,7 @@ class LeftOutEnergy:
             columns, e = reading.columns(reading.level - 1, self.fading)
             sums = self.of_columns(self.of_output(reading.output, True), _smooth(columns))
             self._known[key] = self._smooth_norms(sums, np.array([e]))[:, 0]
-        return self._known[key]
+        return cast("np.ndarray", self._known[key])
 
     @property
     def tau(self) -> np.ndarray:
@@ -294,6 +295,6 @@ class LeftOutEnergy:
             power >= 0 or (power == -1 and channel not in self.loads.driven))
 
 
-def _smooth(columns):
+def _smooth(columns: "Sequence[Column]") -> list[Column]:
     """The same columns for each τ."""
     return [column._replace(smooth=j) for j in range(MANY) for column in columns]

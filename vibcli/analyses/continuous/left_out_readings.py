@@ -41,7 +41,7 @@ def readings(output: LinearOutput, order: int, pieces: "Sequence[PlacedPiece]",
     return [Reading(*one, _level(*one, pieces, massive)) for one in found]
 
 
-def _level(output, rate, pieces, massive):
+def _level(output: LinearOutput, rate: int, pieces: "Sequence[PlacedPiece]", massive: Sequence[int]) -> int:
     """0 of displacements and slopes, of the first rate of what has mass; 1 of forces; by 1 more of each rate."""
     if any(place.along >= pieces[place.piece].piece.order // 2 for place in output.places):
         return 1 + rate

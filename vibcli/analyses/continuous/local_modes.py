@@ -42,7 +42,7 @@ def local_modes(system: "ContinuousSystem", bracket: "Bracket"
     return system, values, np.hstack(parts)[:, near], indices
 
 
-def _subspaces(system, size):
+def _subspaces(system: "ContinuousSystem", size: int) -> list[np.ndarray]:
     """At most `size` vectors of each part that has inertia and that nothing ties to others."""
     found, inertia = [], system.dynamic_stiffness(system.numbers([system.scale]))[2]
     for part in system.pattern.parts:
@@ -53,7 +53,7 @@ def _subspaces(system, size):
     return found
 
 
-def _stepped(system, z, parts):
+def _stepped(system: "ContinuousSystem", z: np.ndarray, parts: Any) -> tuple[np.ndarray, Any]:
     """The eigenvalues by which z moves, and the vectors of each part, after one step."""
     entries, _, slope = system.dynamic_stiffness(z)
     x = nearer(system, z, product(system.pattern, slope, np.hstack(parts)))
@@ -62,7 +62,7 @@ def _stepped(system, z, parts):
     return np.concatenate(moved), parts
 
 
-def _within(bracket, z):
+def _within(bracket: "Bracket", z: np.ndarray) -> np.ndarray:
     """The places of z, those within the bracket first, of others the nearest; ascending where there are enough."""
     middle = (bracket.low + bracket.high) / 2
     wanted = bracket.above - bracket.below
@@ -87,7 +87,7 @@ def projected(system: "ContinuousSystem", entries: np.ndarray, slope: np.ndarray
     return moved, x @ basis
 
 
-def _pencil(stiff: Any, mass: Any):
+def _pencil(stiff: Any, mass: Any) -> tuple[np.ndarray, np.ndarray]:
     """The eigenvalues and vectors of stiff y = λ mass y, yᵀ mass y = 1."""
     if stiff.dtype.kind == "O":
         return _precise_pencil(stiff, mass)
@@ -100,7 +100,7 @@ def _pencil(stiff: Any, mass: Any):
     return values, basis @ vectors
 
 
-def _precise_pencil(stiff, mass):
+def _precise_pencil(stiff: np.ndarray, mass: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     import mpmath
 
     values, basis = mpmath.eigsy(mpmath.matrix(mass.tolist()))

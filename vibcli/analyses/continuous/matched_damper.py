@@ -1,6 +1,7 @@
 """A bar, shaft or string held or free at one end, at the other a damper c = √(Nμ): no wave comes back from it."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.numerics.pieces.piece import Piece
 
 SAME = 2.0**-49     # relative: c is √(Nμ) as far as floats tell
 
@@ -28,14 +30,14 @@ def dies_after(elements: "FactoredSystem") -> float | None:
     if elements.pieces[0].retardation or piece.order != 2 or piece.gradient or piece.drag or piece.foundation or not (
             piece.inertia > 0 and piece.tension > 0):
         return None
-    felt: list = [{i: x for i, x in row.items() if x} for row in rows]
+    felt: list[dict[int, Any]] = [{i: x for i, x in row.items() if x} for row in rows]
     if [len(row) for row in felt] not in ([[1, 1]] if elements.n == 2 else [[0, 1], [1, 0]]) or (
             elements.n == 2 and felt[0].keys() == felt[1].keys()):
         return None
     return _ended(elements, piece, felt)
 
 
-def _ended(elements, piece, felt):
+def _ended(elements: "FactoredSystem", piece: "Piece", felt: Sequence[dict[int, float]]) -> float | None:
     """The same, of the rows of its ends."""
     dampers = [sum(c * row.get(i, 0) ** 2 for c, row in elements.dampers) for i in range(elements.n)]
     if any(sum(1 for x in row.values() if x) > 1 for _, row in elements.dampers) or sum(map(bool, dampers)) != 1:

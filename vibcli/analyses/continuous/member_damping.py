@@ -26,8 +26,8 @@ class MemberDamping(NamedTuple):
     """ratios: ζ by number, whose last holds on; else series: the aₖ. whole: does it resist velocities counted from
     the ground, also where supports are driven, and not those against what these give at rest?"""
 
-    ratios: tuple = ()
-    series: tuple = ()
+    ratios: tuple[Any, ...] = ()
+    series: tuple[Any, ...] = ()
     whole: bool = False
 
     @property
@@ -79,7 +79,7 @@ def member_damping(configuration: "Configuration", modes: "Modes", arithmetic: A
     return MemberDamping(series=_through(values["caughey"], modes))
 
 
-def _shortened(series):
+def _shortened(series: "Sequence[float]") -> tuple[float, ...]:
     """Without the last that are 0."""
     found = list(series)
     while len(found) > 1 and not found[-1]:
@@ -96,7 +96,7 @@ def _require_one_ratio(damping: MemberDamping, modes: "Modes") -> None:
                                "not told apart", "give both the same ratio")
 
 
-def _through(given: "dict[int, Any]", modes: "Modes") -> tuple:
+def _through(given: "dict[int, Any]", modes: "Modes") -> tuple[float, ...]:
     """aₖ with 2 ζⱼ ωⱼ = Σ aₖ ωⱼ²ᵏ at the modes {number: ζ}, by divided differences (Newton)."""
     numbers = sorted(given)
     chosen = [mode for number in numbers for mode in modes.numbered(number, number)]

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from vibcli.analyses.modal.modal_analysis import ModalAnalysis
-    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
 
 NODES, DIVISIONS, LISTED, POINTS, LEAST = 256, (1, 2, 4, 8), 3, 12, 8
 COARSE, FINE = 16, 24       # points on a piece
@@ -46,9 +47,9 @@ class Lumped(NamedTuple):
 class MemberEstimates(NamedTuple):
     """lumped: {coordinate: Lumped}; elements: [(elements to a piece, [ω])]; exact: the frequencies they are for."""
 
-    lumped: dict
-    elements: list
-    exact: list
+    lumped: dict[Any, Any]
+    elements: list[Any]
+    exact: list[Any]
 
 
 def bounds(modal: "ModalAnalysis", ones: "Sequence[int]") -> "tuple[float, np.ndarray, dict[str, float], float]":
@@ -67,7 +68,7 @@ def bounds(modal: "ModalAnalysis", ones: "Sequence[int]") -> "tuple[float, np.nd
     return rayleigh, deflection[:elements.n], alone, error
 
 
-def _by_fields(elements, ones):
+def _by_fields(elements: "FactoredSystem", ones: np.ndarray) -> tuple[float, np.ndarray, float]:
     """(ω, δ, the relative error) by exact deflections: δ of the coordinates, along pieces ∫ μ u dx and ∫ μ u² dx by
     Gauss's rule; what fewer points give is their error."""
     M, K = elements.with_parts(pieces=()).arrays()[0], static_stiffness(elements)
@@ -89,12 +90,12 @@ def _by_fields(elements, ones):
     return float(found[1]), deflection, float(rounding + abs(found[1] / found[0] - 1))
 
 
-def _even_load(piece):
+def _even_load(piece: "Piece") -> LoadForm:
     """Its inertia as a load along it."""
     return LoadForm((LoadStretch(0.0, piece.length, 0.0, (LoadTerm(piece.inertia, 0, 0.0),)),))
 
 
-def _deflection(piece, ends, form, points):
+def _deflection(piece: "Piece", ends: np.ndarray, form: LoadForm, points: int) -> tuple[np.ndarray, np.ndarray]:
     """(u at the points of a rule, its weights times the inertia there) of a piece at rest under a load."""
     at, weights = np.polynomial.legendre.leggauss(points)
     x = (at + 1) / 2 * piece.length
@@ -103,7 +104,7 @@ def _deflection(piece, ends, form, points):
     return u + np.array(held), piece.inertia * piece.length / 2 * weights
 
 
-def _by_elements(elements, ones):
+def _by_elements(elements: "FactoredSystem", ones: np.ndarray) -> tuple[float, np.ndarray, float]:
     """The same by finite elements, of strings that hang slack; the error by half as many."""
     found = []
     for nodes in (NODES // 2, NODES):
@@ -129,7 +130,7 @@ def further(modal: "ModalAnalysis") -> MemberEstimates:
     return MemberEstimates(_lumped(modal, modal.configuration.linear_system), *beside_elements(modal))
 
 
-def beside_elements(modal: "ModalAnalysis", rigid: int = 0) -> tuple[list, list]:
+def beside_elements(modal: "ModalAnalysis", rigid: int = 0) -> tuple[list[tuple[int, list[float]]], list[float]]:
     """[(elements to a piece, [ω])] without the rigid ones, and the exact ω that these are for."""
     exact, found = [float(mode.omega) for mode in modal.modes.first(LISTED + rigid)[rigid:]], []
     for divisions in DIVISIONS:
@@ -140,7 +141,7 @@ def beside_elements(modal: "ModalAnalysis", rigid: int = 0) -> tuple[list, list]
     return found, exact
 
 
-def _displacements(elements, divisions):
+def _displacements(elements: "FactoredSystem", divisions: int) -> list[float]:
     """1 of displacements and 0 of slopes of slack ends and inner nodes, in the order of finite_elements."""
     found: list[float] = []
     for placed in elements.pieces:
@@ -150,7 +151,7 @@ def _displacements(elements, divisions):
     return found
 
 
-def _frequencies(K, M, held):
+def _frequencies(K: np.ndarray, M: np.ndarray, held: float) -> list[float]:
     """ω ascending, of K x = ω² M x with K + held M positive definite."""
     L = np.linalg.cholesky(K + held * M)
     flexible = np.linalg.solve(L, np.linalg.solve(L, M).T)
@@ -158,7 +159,7 @@ def _frequencies(K, M, held):
     return [float(np.sqrt(max(1 / x - held, 0.0))) for x in squares if x > 1e-14 * squares[0]]
 
 
-def _of_piece(elements, placed, flexibility):
+def _of_piece(elements: "FactoredSystem", placed: "PlacedPiece", flexibility: np.ndarray) -> float:
     """∫ μ G(x, x) dx of a piece: G is what it gives between ends that are held, and what those give."""
     piece, total = placed.piece, 0.0
     at, weights = np.polynomial.legendre.leggauss(POINTS)
@@ -182,11 +183,11 @@ def _of_piece(elements, placed, flexibility):
     return float(total)
 
 
-def _grown(elements, pieces, half):
+def _grown(elements: "FactoredSystem", pieces: "Sequence[PlacedPiece]", half: int) -> "FactoredSystem":
     return elements.with_parts(n=elements.n + half, pieces=tuple(pieces))
 
 
-def _lumped(modal, elements):
+def _lumped(modal: "ModalAnalysis", elements: "FactoredSystem") -> dict[str, Lumped]:
     """{coordinate: Lumped}; the coordinates of the scene, then places of members, displacements alone."""
     if not elements.n:
         return {}
@@ -205,13 +206,13 @@ def _lumped(modal, elements):
     return found
 
 
-def _static_inertia(placed, n):
+def _static_inertia(placed: "PlacedPiece", n: int) -> Any:
     """∫ μ φφᵀ dx of a piece, φ the static deflections by one end value each: ∂d/∂s² at rest."""
     piece, S = placed.piece, rows_as_array(placed.rows, n)
     return float(piece.inertia) * S.T @ stiffness_and_slope(piece, np.array([float(piece.foundation)]))[1][0] @ S
 
 
-def _masses(elements):
+def _masses(elements: "FactoredSystem") -> float | None:
     """The inertia of the one member that there is, else None."""
     if len({placed.owner for placed in elements.pieces}) > 1:
         return None

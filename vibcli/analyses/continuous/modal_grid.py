@@ -36,7 +36,8 @@ def divided(cells: np.ndarray, motion: "ModalMotion", output: "LinearOutput", co
     return np.stack([low + number * width, np.where(last, np.repeat(high, parts), low + (number + 1) * width)], axis=1)
 
 
-def _steps(motion, output, start, end, count):
+def _steps(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
+           count: int) -> tuple[np.ndarray, np.ndarray]:
     """(edges, steps): the step from each edge on."""
     states, widest = motion.states, (end - start) / FEWEST
     chosen = np.flatnonzero(states.modes < count)

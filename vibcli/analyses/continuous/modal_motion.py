@@ -5,8 +5,9 @@
 H is exact, so that the sum holds free vibrations alone; the remainder is theirs, of the modes left out.
 """
 
+from collections.abc import Callable, Iterator
 from math import comb, factorial, inf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from vibcli.numerics.sums_of_exponentials import sum_of_exponentials
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.complex_modes import ComplexModes
+    from vibcli.analyses.continuous.coupled_left_out import CoupledLeftOut
     from vibcli.analyses.continuous.coupled_modes import TiedModes
     from vibcli.analyses.continuous.coupled_transfer import CoupledTransfer
     from vibcli.analyses.continuous.damped_transfer import DampedTransfer
@@ -28,7 +30,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
     from vibcli.analyses.continuous.left_out_motions import LeftOutMotions
     from vibcli.analyses.continuous.real_modes import RealModes
-    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.forcing import Forcing, Wave
     from vibcli.analyses.excitation.linear_output import LinearOutput
 
 EPSILON = 2.0**-52
@@ -42,8 +44,8 @@ class ModalMotion:
     damping; reads: the Forcing whose channels outputs read."""
 
     def __init__(self, modes: "RealModes | ComplexModes | TiedModes",
-                 transfer: "ExactTransfer | DampedTransfer | CoupledTransfer",
-                 forcing: "Forcing", work: Work | None = None, reads: "Forcing | None" = None):
+                 transfer: "ExactTransfer | DampedTransfer | CoupledTransfer", forcing: "Forcing",
+                 work: Work | None = None, reads: "Forcing | None" = None) -> None:
         self.modes, self.transfer, self.forcing, self.work = modes, transfer, forcing, work or Work()
         self.reads = forcing if reads is None else reads
         self.states, self.count = modes.states, modes.count
@@ -51,9 +53,9 @@ class ModalMotion:
         self.fastest = float(np.abs(self.states.rates).max(initial=0.0))
         self.slowest = float(np.abs(self.states.rates).min(initial=self.fastest, where=self.states.rates != 0))
         self._rows: dict[Any, Any] = {}
-        self._known: dict[int, tuple[Stroke, list]] = {}        # {id: (stroke, its parts)}, the oldest first
+        self._known: dict[int, tuple[Stroke, list[Any]]] = {}        # {id: (stroke, its parts)}, the oldest first
         self._until, self._stretches, self._aged = -1.0, [], []
-        self._disturbances: Disturbances | LeftOutMotions | None = None
+        self._disturbances: Disturbances | LeftOutMotions | CoupledLeftOut | None = None
 
     def under(self, forcing: "Forcing") -> "ModalMotion":
         """The same motion, whose outputs read further channels of the loads."""
@@ -81,14 +83,14 @@ class ModalMotion:
         key = key_of(output)
         if key not in self._rows:
             self._rows[key] = self.modes.rows(output)
-        return self._rows[key]
+        return cast("tuple[np.ndarray, np.ndarray]", self._rows[key])
 
     def off_of(self, output: "LinearOutput") -> np.ndarray:
         """What rounding leaves of the same, (3, states)."""
         key = "off", key_of(output)
         if key not in self._rows:
             self._rows[key] = self.modes.lost_rows(output)
-        return self._rows[key]
+        return cast("np.ndarray", self._rows[key])
 
     def values(self, output: "LinearOutput", times: Any, order: int = 0, modes: int | None = None) -> np.ndarray:
         """The order-th rate of the output at instants, just after what jumps there; modes: of so many alone."""
@@ -100,22 +102,22 @@ class ModalMotion:
             found[at] += self._on(read, stretch, t[at] - stretch.start, modes)
         return (found + self._direct(output, t, order))[back.reshape(times.shape)]
 
-    def _placed(self, t):
+    def _placed(self, t: np.ndarray) -> Iterator[tuple[FreeStretch, int, np.ndarray]]:
         stretches = self.stretches(float(t.max(initial=0.0)))
         which = np.searchsorted([stretch.start for stretch in stretches], t, side="right") - 1
         for number in np.unique(which).tolist():
             yield stretches[max(number, 0)], max(number, 0), which == number
 
-    def _on(self, read, stretch, tau, modes):
+    def _on(self, read: Read, stretch: FreeStretch, tau: np.ndarray, modes: int | None) -> Any:
         """Without constants and channels, at instants in order on one stretch."""
         return sum_of_exponentials(*self._swings(read, stretch, modes), tau) + self._carried(read, stretch, tau)
 
-    def _swings(self, read, stretch, modes):
+    def _swings(self, read: Read, stretch: FreeStretch, modes: int | None) -> tuple[np.ndarray, np.ndarray]:
         weights, states = read.states * stretch.free, self.states
         chosen = np.flatnonzero((weights != 0) & (states.modes < (self.count if modes is None else modes)))
         return weights[chosen], states.rates[chosen]
 
-    def _carried(self, read, stretch, tau):
+    def _carried(self, read: Read, stretch: FreeStretch, tau: np.ndarray) -> np.ndarray:
         found = self._driven(read, stretch, tau)
         for order in range(2):
             if read.rigid[order].any():
@@ -131,7 +133,7 @@ class ModalMotion:
         return output.constant + self._carried(Read(self, output, 0), stretch, t - stretch.start) + self._direct(
             output, t, 0)
 
-    def _driven(self, read, stretch, tau):
+    def _driven(self, read: Read, stretch: FreeStretch, tau: np.ndarray) -> np.ndarray:
         found = np.zeros(len(tau))
         for stroke in stretch.strokes:
             k, g, near = stroke.power, self._rest.of_powers(read, stroke)[0], self._rest.near(stroke.exponent)
@@ -143,7 +145,7 @@ class ModalMotion:
                     found += np.real(read.states[j] * x * next_to(self.states.rates[j], s, k, tau))
         return found
 
-    def _parts(self, stroke):
+    def _parts(self, stroke: Stroke) -> list[tuple[complex, np.ndarray, np.ndarray, np.ndarray]]:
         """Those of a stroke, which does not hang on what is read, nor when."""
         entry = self._known.get(id(stroke))
         if entry is None:
@@ -152,7 +154,7 @@ class ModalMotion:
                 self._known.pop(next(iter(self._known)))
         return entry[1]
 
-    def _direct(self, output, t, order):
+    def _direct(self, output: "LinearOutput", t: np.ndarray, order: int) -> np.ndarray | float:
         """What loads add of themselves."""
         if not any(output.channels.values()):
             return 0.0
@@ -174,7 +176,7 @@ class ModalMotion:
         rest = self._uncounted(read, stretch, t)
         return rest if modes is None else rest + float(self._amplitudes(read, stretch)[modes:].sum())
 
-    def _estimates(self, output, t, order):
+    def _estimates(self, output: "LinearOutput", t: float, order: int) -> bool:
         """Is what is left out estimated?"""
         known = self._disturbances
         return known is None or not (known.ALONE or known.bounds(output, t, order))
@@ -211,7 +213,7 @@ class ModalMotion:
             found.append(read.states * stretch.free * np.exp(self.states.rates * (at - stretch.start)))
         return np.abs(found[1] - found[0]), self.states.rates
 
-    def _uncounted(self, read, stretch, t):
+    def _uncounted(self, read: Read, stretch: FreeStretch, t: float) -> float:
         """A bound of what is left out; where none is known how amplitudes fall."""
         if not self._estimates(read.output, t, read.order):
             return self._disturbances.bound(read.output, t, read.order)
@@ -244,7 +246,7 @@ class ModalMotion:
                 return True
         return False
 
-    def _amplitudes(self, read, stretch):
+    def _amplitudes(self, read: Read, stretch: FreeStretch) -> np.ndarray:
         """That of each mode on a stretch, in order of frequency."""
         sizes = np.zeros(self.count)
         np.add.at(sizes, self.states.modes, np.abs(read.states * stretch.free))
@@ -262,7 +264,7 @@ class ModalMotion:
                 found[number] += float(lost @ np.exp(self.states.rates.real * times[number]))
         return found
 
-    def _rounded(self, read, stretch, old):
+    def _rounded(self, read: Read, stretch: FreeStretch, old: np.ndarray) -> Callable[[float], float]:
         """What rounding and mixed shapes leave of a stretch, by the time since it began; old: how far C was off."""
         doubt, rates = self.modes.doubt, self.states.rates
         driven = []
@@ -279,17 +281,16 @@ class ModalMotion:
             driven.append((stroke.exponent.real, own))
         polynomial = np.polynomial.polynomial.polyval
 
-        def rounded(tau):
+        def rounded(tau: float) -> float:
             early, late = doubt.of(rates, read.states, stretch.free, tau)
             early += float((read.off * np.abs(stretch.free) + np.abs(read.states) * old) @ np.exp(rates.real * tau))
             early += sum(float(lost_by(self.modes.rigid_inputs, stretch, np.array([tau]), order)[0] @ np.abs(row))
                          for order, row in enumerate(read.rigid) if row.any())
-            return early + late * tau + sum(
-                np.exp(pace * tau) * polynomial(tau, own) for pace, own in driven)
+            return early + late * tau + sum(float(np.exp(pace * tau) * polynomial(tau, own)) for pace, own in driven)
         return rounded
 
 
-def _rate(wave, tau, order):
+def _rate(wave: "Wave", tau: np.ndarray, order: int) -> np.ndarray:
     """The order-th derivative of a wave."""
     found, s = np.zeros(len(tau), complex), complex(wave.exponent)
     for i in range(min(order, wave.power) + 1):

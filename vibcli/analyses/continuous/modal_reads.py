@@ -1,7 +1,7 @@
 """What outputs read of a motion by modes."""
 
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,7 +19,7 @@ SHARES = 0.11, 0.29, 0.52, 0.73, 0.93       # of a length: places that no symmet
 class Read:
     """What an output reads of a ModalMotion, in a rate: rows over states and over (η, η̇) of what nothing holds."""
 
-    def __init__(self, motion: "ModalMotion", output: "LinearOutput", order: int):
+    def __init__(self, motion: "ModalMotion", output: "LinearOutput", order: int) -> None:
         states, (rows, rigid) = motion.states, motion.rows_of(output)
         self.output, self.order, self._motion = output, order, motion
         self.states = sum((rows[m] * states.rates ** (m + order) for m in range(3)), 0 * states.rates)
@@ -29,13 +29,13 @@ class Read:
                 self.rigid[m + order] += rigid[m]
 
     @cached_property
-    def off(self) -> np.ndarray:
+    def off(self) -> Any:
         """What rounding leaves of the rows over states."""
         pace = np.abs(self._motion.states.rates)
         return sum(part * pace ** (m + self.order) for m, part in enumerate(self._motion.off_of(self.output)))
 
 
-def key_of(output: "LinearOutput") -> tuple:
+def key_of(output: "LinearOutput") -> tuple[tuple[tuple[Any, float], ...], ...]:
     """What tells an output from others, but for its constant and channels."""
     return tuple(tuple(sorted(part.items())) for part in (output.q, output.v, output.a, output.places))
 

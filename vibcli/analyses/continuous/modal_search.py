@@ -2,7 +2,7 @@
 open, by more of them on finer grids, the remainder of each level being known.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -58,7 +58,7 @@ def first_top(curve: "Callable[[np.ndarray], np.ndarray]", cells: np.ndarray, to
     return float(times[first]), float(found[first])
 
 
-def _about(cells, number, i):
+def _about(cells: np.ndarray, number: np.ndarray, i: int) -> tuple[float, float]:
     """From where to where a top is looked for: in a cell and those beside it in its run, as the highest end is one of
     two cells."""
     ends = [k for k in (i - 1, i + 1) if 0 <= k < len(cells) and number[k] == number[i]]
@@ -67,11 +67,11 @@ def _about(cells, number, i):
 
 def candidates(motion: "ModalMotion", output: "LinearOutput", start: float, end: float, sense: int) -> np.ndarray:
     """The cells that may hold the largest (sense 1) or smallest (−1) value, whatever modes left out add, (…, 2)."""
-    def high(cells, values, rest):
+    def high(cells: np.ndarray, values: np.ndarray, rest: float) -> np.ndarray:
         if np.ptp(values) + 2 * rest <= LEVEL * np.abs(values).max():
-            return np.arange(len(cells)) == 0
+            return cast("np.ndarray", np.arange(len(cells)) == 0)
         tops = (sense * values).max(axis=1)
-        return tops + BENT * bends(cells, values) >= tops.max() - 2 * rest
+        return cast("np.ndarray", tops + BENT * bends(cells, values) >= tops.max() - 2 * rest)
 
     return _searched(motion, output, start, end, high)
 
@@ -97,11 +97,11 @@ def error_of_extreme(motion: "ModalMotion", output: "LinearOutput", start: float
 def zeros(motion: "ModalMotion", output: "LinearOutput", start: float, end: float) -> list[float]:
     """Instants at which it passes zero, or starts there; where it rests there but for its errors, the instant at which
     it leaves."""
-    def near(cells, values, rest):
+    def near(cells: np.ndarray, values: np.ndarray, rest: float) -> np.ndarray:
         if np.abs(values).max() + rest == 0:
             return np.zeros(len(cells), bool)
         passes = values[:, 0] * values[:, 1] <= 0
-        return passes | (np.abs(values).min(axis=1) <= BENT * bends(cells, values) + rest)
+        return cast("np.ndarray", passes | (np.abs(values).min(axis=1) <= BENT * bends(cells, values) + rest))
 
     left, begins = leaves(motion, output, start, end)
     cells = _searched(motion, output, left, end, near)
@@ -137,13 +137,13 @@ def leaves(motion: "ModalMotion", output: "LinearOutput", start: float, end: flo
     return left, [max(t for t in _beginnings(motion, left) if t <= left)]
 
 
-def _starts_at_zero(motion, output, start, end):
+def _starts_at_zero(motion: "ModalMotion", output: "LinearOutput", start: float, end: float) -> bool:
     """Is its first value zero but for its error, which is nothing beside later ones?"""
     values = np.abs(motion.values(output, np.linspace(start, end, BESIDE)))
-    return values[0] <= _error_at(motion, output, start) <= NOTHING * values.max()
+    return cast("bool", values[0] <= _error_at(motion, output, start) <= NOTHING * values.max())
 
 
-def _told_apart(motion, output, found, end):
+def _told_apart(motion: "ModalMotion", output: "LinearOutput", found: np.ndarray, end: float) -> np.ndarray:
     """Which of the zeros count: of those between which no value is larger than its error the last one, unless it stays
     so up to the end."""
     width = np.diff(np.append(found, end))
@@ -151,7 +151,7 @@ def _told_apart(motion, output, found, end):
     values = np.abs(motion.values(output, times.ravel()))
     leaves = (values > off_along(motion, output, times.ravel(), end, motion.count)).reshape(times.shape).any(axis=1)
     left = np.flatnonzero(leaves)
-    return leaves | (np.arange(len(found)) > (left[-1] if len(left) else -1))
+    return cast("np.ndarray", leaves | (np.arange(len(found)) > (left[-1] if len(left) else -1)))
 
 
 def width_of_top(motion: "ModalMotion", output: "LinearOutput", t: float, sense: int) -> float:
@@ -164,7 +164,7 @@ def width_of_zero(motion: "ModalMotion", output: "LinearOutput", t: float) -> fl
     return width_about(lambda at: motion.values(output, at), _error_at(motion, output, t), t, 0)
 
 
-def _error_at(motion, output, t):
+def _error_at(motion: "ModalMotion", output: "LinearOutput", t: float) -> float:
     return float(motion.errors(output, np.array([t]))[0])
 
 
@@ -195,7 +195,8 @@ def off_along(motion: "ModalMotion", output: "LinearOutput", times: np.ndarray, 
     return found[np.maximum(np.searchsorted(begins, times, side="right") - 1, 0)] + rounding
 
 
-def _searched(motion, output, start, end, chosen):
+def _searched(motion: "ModalMotion", output: "LinearOutput", start: float, end: float,
+              chosen: "Callable[[np.ndarray, np.ndarray, float], np.ndarray]") -> np.ndarray:
     """The cells left when all modes are counted, `chosen` saying which of those of a level are."""
     cells, total = np.array([[start, end]]), motion.count
     begins = [start, *(t for t in _beginnings(motion, end) if t > start)]
@@ -217,18 +218,19 @@ def _searched(motion, output, start, end, chosen):
     return cells
 
 
-def _widths(cells):
-    return cells[:, 1] - cells[:, 0]
+def _widths(cells: np.ndarray) -> np.ndarray:
+    return cast("np.ndarray", cells[:, 1] - cells[:, 0])
 
 
-def _in_parts(cells):
+def _in_parts(cells: np.ndarray) -> np.ndarray:
     """Each of the cells in equal parts."""
     edges = cells[:, :1] + _widths(cells)[:, None] * (np.arange(PARTS + 1) / PARTS)
     edges[:, -1] = cells[:, 1]
     return np.stack([edges[:, :-1].ravel(), edges[:, 1:].ravel()], axis=1)
 
 
-def _lifted(motion, output, stretch, window, enough, top):
+def _lifted(motion: "ModalMotion", output: "LinearOutput", stretch: float, window: tuple[float, float], enough: float,
+            top: tuple[float, float]) -> float:
     """How far a signal can come above its top, (sense, value in that sense), on a stretch before what modes left out
     add is small enough: window by window, each half as wide as the next, as it dies out."""
     low, high = window
@@ -244,7 +246,8 @@ def _lifted(motion, output, stretch, window, enough, top):
     return max(highest, min(motion.bound(output, low), _reached(motion, output, stretch, (low, high), top)))
 
 
-def _reached(motion, output, stretch, window, top):
+def _reached(motion: "ModalMotion", output: "LinearOutput", stretch: float, window: tuple[float, float],
+             top: tuple[float, float]) -> float:
     """The same between two instants of a stretch, by its first modes on a grid."""
     count, (sense, value) = min(FEW, motion.count), top
     cells = divided(np.array([window]), motion, output, count)
@@ -253,13 +256,13 @@ def _reached(motion, output, stretch, window, top):
     return float((values.max(axis=1) + BENT * bends(cells, values)).max()) + rest - value
 
 
-def _spans(motion, end):
+def _spans(motion: "ModalMotion", end: float) -> list[tuple[float, float]]:
     """(begin, end) of the stretches up to an end."""
     begins = _beginnings(motion, end)
     return list(zip(begins, [*begins[1:], end], strict=True))
 
 
-def _beginnings(motion, end):
+def _beginnings(motion: "ModalMotion", end: float) -> list[float]:
     """Instants at which stretches begin."""
     return [stretch.start for stretch in motion.stretches(end) if stretch.start <= end]
 
@@ -270,7 +273,7 @@ def bends(cells: np.ndarray, values: np.ndarray) -> np.ndarray:
         return np.full(len(cells), np.ptp(values))
     width = cells[:, 1] - cells[:, 0]
     inner = np.abs(np.diff((values[:, 1] - values[:, 0]) / width))
-    return width * np.maximum(np.append(inner, inner[-1]), np.append(inner[0], inner))
+    return cast("np.ndarray", width * np.maximum(np.append(inner, inner[-1]), np.append(inner[0], inner)))
 
 
 def top_between(curve: "Callable[[np.ndarray], np.ndarray]", low: float, high: float) -> float:

@@ -4,7 +4,7 @@ Of a shape that springs and pieces at rest take under forces r it is φᵀ r/ω�
 is by Green's identity, as of loads, or by Gauss's rule.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -19,10 +19,11 @@ from vibcli.numerics.pieces.stiffness import stiffness
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from vibcli.analyses.continuous.mode_basis import ModeBasis
+    from vibcli.analyses.continuous.mode_basis import ModeBasis, ModesOnPart
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.analyses.excitation.forcing import Forcing
-    from vibcli.numerics.pieces.loads import LoadForm
+    from vibcli.numerics.pieces.arithmetic import Arithmetic
+    from vibcli.numerics.pieces.loads import LoadForm, LoadStretch
 
 NEAR = 1e-12        # of a length
 BLOCK = 64          # modes whose integrals are taken at a time
@@ -31,7 +32,7 @@ BLOCK = 64          # modes whose integrals are taken at a time
 def of_field(basis: "ModeBasis", piece: int, given: "Forcing", channel: int) -> np.ndarray:
     """μ ∫ φ u dx of each mode over a piece, u being a channel of a Forcing over x."""
     whole = basis.placed[piece].piece
-    return whole.inertia * of_load(basis, piece, load_form(given, channel, whole.length))
+    return cast("np.ndarray", whole.inertia * of_load(basis, piece, load_form(given, channel, whole.length)))
 
 
 def of_drive(basis: "ModeBasis", drive: "SpreadDrive") -> np.ndarray:
@@ -71,7 +72,7 @@ def of_held_shape(basis: "ModeBasis", piece: int, drive: "SpreadDrive") -> np.nd
         if part.start + part.piece.length >= (1 - NEAR) * whole.length:
             found[part.modes] -= part.ends[:, half:] @ put[half:]
     with np.errstate(all="ignore"):
-        return whole.inertia * found / gaps
+        return cast("np.ndarray", whole.inertia * found / gaps)
 
 
 def at_rest(basis: "ModeBasis", piece: int, q: np.ndarray, drives: "Iterable[SpreadDrive]") -> np.ndarray:
@@ -103,10 +104,10 @@ def of_shape(basis: "ModeBasis", piece: int, ends: np.ndarray) -> np.ndarray:
         found[part.modes] += np.where(far, values, 0.0)
         for k in np.flatnonzero(~far):
             found[part.modes[k]] += product_integral(one, part.kappa[k], part.ends[k], rest, own)
-    return whole.inertia * found
+    return cast("np.ndarray", whole.inertia * found)
 
 
-def _integrals(part, one):
+def _integrals(part: "ModesOnPart", one: "LoadStretch") -> np.ndarray:
     """∫ φ f dx over a LoadStretch, (modes,)."""
     piece, far = part.piece, one.is_far(part.piece, part.kappa)
     found, length = np.zeros(len(part.modes), part.ends.dtype), one.end - one.start
@@ -124,12 +125,13 @@ def _integrals(part, one):
     return found
 
 
-def _summed(part, modes, x, weights, numbers):
+def _summed(part: "ModesOnPart", modes: np.ndarray, x: np.ndarray, weights: np.ndarray,
+            numbers: "Arithmetic") -> np.ndarray:
     """Σ weights · φ over places x of a piece: of strings of varying tension by the fields that have one end value 1
     each."""
     kappa, ends = part.kappa[modes], part.ends[modes]
     if part.piece.gradient and part.piece.order == 2:
         from vibcli.numerics.pieces.graded import graded_integrals
 
-        return (ends * graded_integrals(part.piece, kappa, x, weights, numbers)).sum(axis=-1)
-    return weights @ fields(part.piece, kappa, ends, x[:, None])[..., 0]
+        return cast("np.ndarray", (ends * graded_integrals(part.piece, kappa, x, weights, numbers)).sum(axis=-1))
+    return cast("np.ndarray", weights @ fields(part.piece, kappa, ends, x[:, None])[..., 0])

@@ -72,7 +72,7 @@ def states_of(squares: np.ndarray, damping: np.ndarray, inputs: np.ndarray, eta:
     return States(*(np.concatenate(part) for part in zip(*found, strict=True)))
 
 
-def _told_apart(squares, damping):
+def _told_apart(squares: np.ndarray, damping: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(mode, c/2, weight) of each motion that is followed: of a mode whose two λ are one, or nearly so, those of four
     complex ζ about its own, whose mean it is but for the fourth power of their distance; conjugate ones once."""
     omega = np.sqrt(np.maximum(squares, 0.0))
@@ -142,7 +142,7 @@ def followed(states: States, rigid: np.ndarray, begin: np.ndarray, segments: "Se
     return found
 
 
-def _later(states, given, free, tau):
+def _later(states: States, given: Sequence[Stroke], free: np.ndarray, tau: float) -> tuple[np.ndarray, np.ndarray]:
     """c after a time, and the size of all that it is summed of."""
     c = free * np.exp(states.rates * tau)
     sizes = np.abs(c)

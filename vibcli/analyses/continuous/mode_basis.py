@@ -6,8 +6,8 @@ Fields within pieces, the projections ∫ μ φ u dx of what a motion starts wit
 """
 
 from collections import defaultdict
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from vibcli.numerics.pieces.relative import (
 from vibcli.numerics.pieces.stiffness import stiffness
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.natural_frequencies import NaturalFrequency
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.modal.undamped import Mode
     from vibcli.mechanics.factored_system import PlacedPiece
@@ -77,11 +78,11 @@ class ModesOnPart(NamedTuple):
         long, steep = abs(self.kappa) * self.piece.length**2, abs(self.piece.tension)
         if self.piece.order == 2:
             return np.sqrt(long / steep) if steep else np.zeros(len(long))
-        return 0.5 * (long / self.piece.bending) ** 0.25 * self.piece.length**0.5
+        return cast("np.ndarray", 0.5 * (long / self.piece.bending) ** 0.25 * self.piece.length**0.5)
 
     def forces(self) -> np.ndarray:
         """Those that its ends need, (modes, order)."""
-        found = np.einsum("kab,kb->ka", stiffness(self.piece, self.kappa), self.ends)
+        found: np.ndarray = np.einsum("kab,kb->ka", stiffness(self.piece, self.kappa), self.ends)
         if self.bends is None:
             return found
         long = told(self.piece, self.kappa)
@@ -100,7 +101,8 @@ class ModeBasis:
     each other, are orthogonal; blurred: √ of what rounds at each coordinate, as a part of
     ω, and at all further nodes, (N, n + 1)."""
 
-    def __init__(self, modes: "Sequence[Mode]", placed: "Sequence[PlacedPiece]", numbers: np.ndarray | None = None):
+    def __init__(self, modes: "Sequence[Mode]", placed: "Sequence[PlacedPiece]",
+                 numbers: np.ndarray | None = None) -> None:
         self.placed = in_floats(placed)
         self.squares = np.array([float(mode.motion.z) for mode in modes])
         _require_held(abs(self.squares).max(initial=0.0) ** 0.5)
@@ -109,14 +111,14 @@ class ModeBasis:
         self.numbers = np.arange(len(modes)) if numbers is None else numbers
         self.blurred = _blurred(modes)
         self._sizes: dict[tuple[int, int], np.ndarray] = {}
-        groups: dict = defaultdict(list)
+        groups: dict[int, list[tuple[int, Any]]] = defaultdict(list)
         for number, mode in enumerate(modes):
             groups[id(mode.motion.system)].append((number, mode.motion))
         self.parts: list[list[ModesOnPart]] = [[] for _ in placed]
         for group in groups.values():
             self._divide(np.array([number for number, _ in group]), [motion for _, motion in group])
 
-    def _divide(self, numbers, motions):
+    def _divide(self, numbers: np.ndarray, motions: "list[NaturalFrequency]") -> None:
         """Adds the ModesOnParts of modes whose pieces are divided in the same way."""
         shapes = np.array([_whole(motion) for motion in motions])
         left = _bends(motions)
@@ -136,10 +138,10 @@ class ModeBasis:
                 found[..., part.modes] = np.where(np.asarray(inside)[..., None], values, found[..., part.modes])
         return found
 
-    def _off(self, piece):
+    def _off(self, piece: int) -> float:
         """What places on a piece are rounded by."""
         whole = self.placed[piece]
-        return SAME * whole.piece.length + PLACED * (abs(whole.start) + whole.piece.length)
+        return cast("float", SAME * whole.piece.length + PLACED * (abs(whole.start) + whole.piece.length))
 
     def rows(self, output: "LinearOutput") -> np.ndarray:
         """(3, N): what an output reads of each η, η̇ and η̈."""
@@ -161,13 +163,14 @@ class ModeBasis:
             found[place.rates] += abs(x) * self._size(place.piece, place.along)
         return ROUNDED * found
 
-    def _size_of(self, coordinate):
+    def _size_of(self, coordinate: int) -> np.ndarray:
         """How large what a coordinate is, u or a slope, is along the pieces that it moves."""
         ends = [(p, end % (one.piece.order // 2)) for p, one in enumerate(self.placed)
                 for end, row in enumerate(one.rows) if row.get(coordinate)]
-        return np.max([self._size(*end) for end in ends], axis=0, initial=0.0) + abs(self.shapes[coordinate])
+        largest = np.max([self._size(*end) for end in ends], axis=0, initial=0.0)
+        return np.asarray(largest + abs(self.shapes[coordinate]))
 
-    def _size(self, piece, along):
+    def _size(self, piece: int, along: int) -> np.ndarray:
         """The largest of a derivative along a piece, in each mode, as often as it rounds, (N,)."""
         if (piece, along) not in self._sizes:
             found = self._sizes[piece, along] = np.zeros(self.shapes.shape[1])
@@ -191,7 +194,7 @@ class ModeBasis:
         return found
 
 
-def _require_held(highest):
+def _require_held(highest: float) -> None:
     """PhysicsError of frequencies whose powers leave the floats."""
     if highest and not HELD[0] < highest < HELD[1]:
         raise PhysicsError(f"motions are summed over modes up to ω = {highest:.1e} rad/s, whose powers leave what "
@@ -213,7 +216,7 @@ def on_part(placed: "Sequence[PlacedPiece]", one: "PlacedPiece", numbers: np.nda
     return home, ModesOnPart(numbers, one.start - placed[home].start, one.piece, kappa, ends, bends)
 
 
-def _blurred(modes):
+def _blurred(modes: "Sequence[Mode]") -> np.ndarray:
     """Those at further nodes at one more coordinate; of rigid motions and closed forms none."""
     found = np.zeros((len(modes), len(modes[0].shape) + 1 if len(modes) else 0))
     for row, mode in zip(found, modes, strict=True):
@@ -223,13 +226,13 @@ def _blurred(modes):
     return found
 
 
-def _whole(motion):
+def _whole(motion: "NaturalFrequency") -> np.ndarray:
     """A shape in floats, over the coordinates of the scene and those of further nodes."""
     shape = motion.shape if motion.whole is None else motion.system.in_scene(motion.whole)
     return shape if shape.dtype == float else np.array([float(x) for x in shape])
 
 
-def _bends(motions):
+def _bends(motions: "Sequence[NaturalFrequency]") -> dict[int, np.ndarray]:
     """u₀, θ₀, F, P of short pieces, {place of the piece: (modes, 4)}; from shapes in more digits where there are."""
     system = motions[0].system
     if system.near is not None and motions[0].whole is not None:
@@ -250,7 +253,7 @@ def _bends(motions):
     return found
 
 
-def _row(row, n):
+def _row(row: Mapping[int, float], n: int) -> np.ndarray:
     found = np.zeros(n)
     for i, x in row.items():
         found[i] = x

@@ -2,9 +2,9 @@
 that normalises a shape. Pieces without inertia deflect as at rest between their stations.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -17,8 +17,14 @@ from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.analyses.modal.undamped import Mode
+    from vibcli.elements.member import Member
+    from vibcli.elements.member_line import Station
+    from vibcli.elements.member_segments import MemberSegment
     from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 SAME = 1e-9         # of a length or displacement: nearer ones are one
 SHARES = np.append(np.arange(1, 62) * 0.6180339887498949 % 1, [0.0, 1.0])
@@ -30,11 +36,12 @@ class ModeFields:
     """A mode along the members of a scene, as its shape is: of unit modal mass. arithmetic, values: the numbers at
     rest; number: makes one of them of any."""
 
-    def __init__(self, mode: "Mode", scene: "Scene", arithmetic: Any, values: Any, number: Callable = float):
+    def __init__(self, mode: "Mode", scene: "Scene", arithmetic: Any, values: Any,
+                 number: Callable[[Any], Any] = float) -> None:
         self.mode, self.scene, self.arithmetic, self.values, self.number = mode, scene, arithmetic, values, number
-        self._known: dict = {}
+        self._known: dict[Any, Any] = {}
 
-    def _kept(self, what, member):
+    def _kept(self, what: Callable[..., Any], member: Any) -> Any:
         """What is asked several times of a member."""
         if (what, member) not in self._known:
             self._known[what, member] = what(member)
@@ -42,9 +49,9 @@ class ModeFields:
 
     def pieces(self, member: str) -> list[Moved]:
         """Those of a member from left to right, as they move."""
-        return self._kept(self._moving, member)
+        return cast("list[Moved]", self._kept(self._moving, member))
 
-    def _moving(self, member):
+    def _moving(self, member: str) -> list[Moved]:
         motion, found = self.mode.motion, []
         for placed in motion.system.ordered if motion is not None else ():
             if placed.owner == member:
@@ -56,7 +63,7 @@ class ModeFields:
         found += self._light(member)
         return sorted(found, key=lambda moved: moved.start)
 
-    def _light(self, name):
+    def _light(self, name: str) -> Iterator[Moved]:
         """The pieces without inertia and drag."""
         member = self.scene.members[name]
         for number, (left, right) in enumerate(pairwise(member.stations)):
@@ -66,7 +73,8 @@ class ModeFields:
                 tension, _ = member.tension(number, segment, self.scene)
                 yield self._at_rest(member, segment, tension, left, right)
 
-    def _at_rest(self, member, segment, tension, left, right):
+    def _at_rest(self, member: "Member", segment: "MemberSegment", tension: "Node", left: "Station",
+                 right: "Station") -> Moved:
         zero, bends = self.scene.table.zero, member.kind.bends
         nodes = [left.place, right.place - left.place, segment.stiffness if bends else zero, tension, zero, zero, zero,
                  segment.foundation]
@@ -79,11 +87,12 @@ class ModeFields:
         piece = Piece(*coefficients)
         return self._moved(start, piece, piece.foundation, ends, not rows[0])
 
-    def _moved(self, start, piece, kappa, ends, supported):
+    def _moved(self, start: "float | mpmath.mpf", piece: Piece, kappa: "float | mpmath.mpf",
+               ends: "Sequence[float | mpmath.mpf]", supported: bool) -> Moved:
         kind = object if self.number is not float else complex if any(isinstance(x, complex) for x in ends) else float
         return Moved(self.number(start), piece, kappa, np.array(ends, kind), supported)
 
-    def _times(self, row, shape):
+    def _times(self, row: "Mapping[int, float | mpmath.mpf]", shape: np.ndarray) -> "float | mpmath.mpf":
         total = sum((self.number(x) * shape[i] for i, x in row.items()), self.number(0))
         total = total if total.imag else total.real
         return total if self.number is not float else complex(total) if total.imag else float(total)
@@ -98,10 +107,10 @@ class ModeFields:
                 moved = later
         return self._on(moved, x)
 
-    def _on(self, moved, x):
+    def _on(self, moved: Moved, x: "float | mpmath.mpf") -> "list[float | mpmath.mpf]":
         piece = moved.piece
         if moved.curves is not None:
-            found = moved.curves.along(x).tolist()
+            found: list[float | mpmath.mpf] = moved.curves.along(x).tolist()
         else:
             place = min(max(self.number(x) - moved.start, 0 * piece.length), piece.length)
             found = list(fields(piece, moved.kappa, moved.ends, place))
@@ -113,17 +122,17 @@ class ModeFields:
 
     def displacements(self, member: str, places: Sequence[float]) -> np.ndarray:
         """u at places of a member, in floats: found once for all frames that show it there."""
-        return self._kept(self._displaced, (member, *places))
+        return cast("np.ndarray", self._kept(self._displaced, (member, *places)))
 
-    def _displaced(self, asked):
+    def _displaced(self, asked: tuple[Any, ...]) -> np.ndarray:
         member, *places = asked
         return shape_along(self.in_floats(member), places)[:, 0]
 
     def largest(self, member: str) -> tuple[Any, Any]:
         """(x, u) where a member moves furthest, the leftmost of equal antinodes."""
-        return self._kept(self._furthest, member)
+        return cast("tuple[Any, Any]", self._kept(self._furthest, member))
 
-    def _furthest(self, member):
+    def _furthest(self, member: str) -> "tuple[float | mpmath.mpf, float | mpmath.mpf]":
         ends, places, u, antinodes = self._kept(self._tops, member)
         sizes = np.abs(u)
         if not np.isfinite(sizes).all():
@@ -142,7 +151,7 @@ class ModeFields:
         most = max(_most(moved, 0) for name in self.scene.members for moved in self.in_floats(name))
         largest = max(max(_most(moved, order), most * _wave_number(moved)**order) for moved in pieces)
         phase = sum(_wave_number(moved) * moved.piece.length for moved in pieces)
-        return largest * max(1.0, phase * (float(self.mode.error) + PLACE) / ALLOWED)
+        return cast("float", largest * max(1.0, phase * (float(self.mode.error) + PLACE) / ALLOWED))
 
     def node_places(self, member: str) -> list[Any]:
         """The places from left to right at which a member rests, its ends and supports not counted."""
@@ -150,13 +159,13 @@ class ModeFields:
 
     def nodes_in_floats(self, member: str) -> list[float]:
         """The same in floats."""
-        return self._kept(self._marks, member)[0]
+        return cast("list[float]", self._kept(self._marks, member)[0])
 
     def antinode_places(self, member: str) -> list[float]:
         """The places from left to right at which a member moves more than beside them, in floats."""
-        return self._kept(self._tops, member)[3]
+        return cast("list[float]", self._kept(self._tops, member)[3])
 
-    def _tops(self, member):
+    def _tops(self, member: str) -> tuple[list[float], list[float], np.ndarray, list[float]]:
         """Ends of pieces, these and the turning places, u there, and the antinodes among them."""
         pieces, turning = self.in_floats(member), self._kept(self._marks, member)[1]
         ends = [place for moved in pieces for place in (moved.start, moved.start + moved.piece.length)]
@@ -164,20 +173,20 @@ class ModeFields:
         found, u = antinodes_and_displacements(pieces, turning, places)
         return ends, places, u, found
 
-    def _marks(self, member):
+    def _marks(self, member: str) -> tuple[list[float], list[float]]:
         return resting_and_turning(self.in_floats(member))
 
     def in_floats(self, member: str) -> list[Moved]:
         """The pieces of a member, their numbers rounded to floats."""
-        return self._kept(self._rounded, member)
+        return cast("list[Moved]", self._kept(self._rounded, member))
 
-    def _rounded(self, member):
+    def _rounded(self, member: str) -> list[Moved]:
         return [Moved(float(moved.start), Piece(*map(float, moved.piece)), float(moved.kappa),
                       moved.ends.astype(complex if any(map(_is_complex, moved.ends)) else float), moved.supported,
                       moved.curves)
                 for moved in self.pieces(member)]
 
-    def _polished(self, member, x, order):
+    def _polished(self, member: str, x: float, order: int) -> "float | mpmath.mpf":
         """The zero of u or u′ next to one in floats, by Newton's method in more digits; x where the member rests."""
         if self.number is float:
             return x
@@ -212,30 +221,30 @@ class ModeFields:
         pivot = next(top for top in tops if abs(top) > MOVES * most)
         return sign(pivot) if how == "mass" else 1 / pivot
 
-    def _turning(self):
+    def _turning(self) -> list[Any]:
         """How far ends of bars move across, where nothing else holds them."""
         q = self.scene.q
         return [self.mode.shape[q.index(station.u)] for member in self.scene.members.values() if member.turns
                 for station in member.stations if station.u in q]
 
-    def _weighted(self, weights):
+    def _weighted(self, weights: Sequence[float]) -> "list[float | mpmath.mpf]":
         return [x * weight for x, weight in zip(self.mode.shape, weights, strict=True)] or [0.0]
 
 
 MOVES = 1e-9        # of a mode of unit modal mass: what moves less rests
 
 
-def _most(moved, order):
+def _most(moved: Moved, order: int) -> float:
     """The largest of a derivative of u on a piece, at places that no mode finds all at rest."""
     return float(np.abs(moved.along(moved.start + moved.piece.length * SHARES)[:, order]).max())
 
 
-def _wave_number(moved):
+def _wave_number(moved: Moved) -> float:
     """Of what vibrates on a piece, at least as many as one on its length."""
     piece = moved.piece
     stiffness = piece.bending or max(piece.tension, piece.tension + piece.gradient * piece.length)
-    return max(abs(moved.kappa / stiffness) ** (1 / piece.order), 1 / piece.length)
+    return cast("float", max(abs(moved.kappa / stiffness) ** (1 / piece.order), 1 / piece.length))
 
 
-def _is_complex(x):
+def _is_complex(x: "float | mpmath.mpf") -> bool:
     return bool(getattr(x, "imag", 0))

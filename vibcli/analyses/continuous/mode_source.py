@@ -2,9 +2,9 @@
 
 import cmath
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,6 +22,9 @@ from vibcli.base.errors import PhysicsError
 from vibcli.numerics.sparse_elimination import quadratic
 
 if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.analyses.continuous.brackets import Bracket
     from vibcli.mechanics.factored_system import FactoredSystem
 
 DEEPER = 40, 80, 160    # digits that are tried in turn where floats do not tell
@@ -40,8 +43,8 @@ class NaturalModes:
 
     ahead = 1
 
-    def __init__(self, elements: "FactoredSystem", precise: Callable | None = None, digits: int | None = None,
-                 at_limit: bool = False):
+    def __init__(self, elements: "FactoredSystem", precise: "Callable[[int], FactoredSystem] | None" = None,
+                 digits: int | None = None, at_limit: bool = False) -> None:
         if elements.circulatory:
             raise PhysicsError("modes of members are not found where forces follow what they act on",
                                "take the force along a fixed direction, or make the member massless")
@@ -61,7 +64,7 @@ class NaturalModes:
         start = max(first, resting + 1)
         return found + self._found(start, last) if start <= last else found
 
-    def _found(self, first, last):
+    def _found(self, first: int, last: int) -> list[Mode]:
         """Modes that are not rigid."""
         uniform = self.uniform
         if uniform is not None and uniform.cuts:
@@ -106,14 +109,15 @@ class NaturalModes:
                 return int(found.below[0])
         return None
 
-    def _at(self, digits):
+    def _at(self, digits: int | None) -> KnownCounts:
         """The KnownCounts in floats or in so many digits."""
         if digits not in self._known:
             elements = _in_digits(self.elements, self.precise, digits)
             self._known[digits] = KnownCounts(continuous_system(elements, digits))
         return self._known[digits]
 
-    def _precise_roots(self, first, last, roots, goal) -> dict[int, NaturalFrequency]:
+    def _precise_roots(self, first: int, last: int, roots: Mapping[int, NaturalFrequency],
+                       goal: float) -> dict[int, NaturalFrequency]:
         """Roots in more digits, until their bounds are below the goal."""
         found: dict[int, NaturalFrequency] = {}
         for more in DEEPER:
@@ -128,7 +132,7 @@ class NaturalModes:
                 return found
         raise _undecided()
 
-    def _grounded(self, at_limit):
+    def _grounded(self, at_limit: bool) -> tuple[Ground, np.ndarray | None]:
         """The Ground, and the shapes of what is rigid: from structure, or of what no number of digits tells from it."""
         if any(self.elements.G.values()):
             return self._held_and_turning(), None
@@ -148,18 +152,18 @@ class NaturalModes:
                 raise _undecided()
             return self._flat(DEEPER[-1], near)
 
-    def _flat(self, digits, near):
+    def _flat(self, digits: int | None, near: "Bracket") -> tuple[Ground, np.ndarray]:
         """The Ground, and the shapes of what is taken for rigid."""
         system, _, shapes, _ = local_modes(self._at(digits).system, near)
         return Ground(near.below, near.above - near.below), shapes / _sizes(system, shapes)
 
-    def _rigid(self, first, last):
+    def _rigid(self, first: int, last: int) -> list[Mode]:
         growing, resting = self.ground.growing, self.ground.resting
         system = self._at(None).system
         return [self._mode(NaturalFrequency(i, 0.0, 0.0, self._resting[:, i - growing - 1], system), 0.0)
                 for i in range(max(first, growing + 1), min(last, resting) + 1)]
 
-    def _mode(self, root, size):
+    def _mode(self, root: NaturalFrequency, size: "float | mpmath.mpf") -> Mode:
         """A root with √|z| as a Mode, in floats unless digits are asked for: one found in more digits is then rounded
         once."""
         n, digits = self.elements.n, self.digits
@@ -176,7 +180,7 @@ class NaturalModes:
         rates = (None, rate) if root.z < 0 else (rate, None)
         return Mode(root.index, *rates, shape, shape, error if root.z else 0.0, root)
 
-    def _held_and_turning(self):
+    def _held_and_turning(self) -> Ground:
         """The Ground beside gyroscopic terms, which leave the count what it is only where a positive stiffness holds
         every motion."""
         counts = self._at(None)
@@ -186,7 +190,7 @@ class NaturalModes:
         return ground(counts, 0, True)
 
 
-def _rate(root):
+def _rate(root: NaturalFrequency) -> "float | mpmath.mpf":
     """√|z| in the digits that z has."""
     digits = root.system.digits
     if digits is None or not root.z:
@@ -197,7 +201,7 @@ def _rate(root):
         return mp.sqrt(abs(root.z))
 
 
-def _require_tied(elements):
+def _require_tied(elements: "FactoredSystem") -> None:
     """UnheldCoordinate of a coordinate without inertia that no spring and no member ties."""
     ends = [row for placed in elements.pieces for row in placed.rows]
     rows = [*(row for _, row in elements.springs), *elements.K, *elements.G, *ends]
@@ -206,17 +210,17 @@ def _require_tied(elements):
             raise mechanism(i)
 
 
-def _undecided():
+def _undecided() -> PhysicsError:
     return PhysicsError("the frequencies are so close to one another, or the data so far apart, that digits do not "
                         "tell them", "look for stiffnesses of very different size, or ask for lower modes")
 
 
-def _sizes(system, shapes):
+def _sizes(system: ContinuousSystem, shapes: np.ndarray) -> np.ndarray:
     """√(xᵀ ∂D/∂s² x) of columns, at rest."""
     return quadratic(system.pattern, system.dynamic_stiffness(system.numbers([0]))[2], shapes) ** 0.5
 
 
-def _doubtful(roots, i):
+def _doubtful(roots: Mapping[int, NaturalFrequency], i: int) -> bool:
     """Is a root not known, not proved, or not told apart from a neighbour?"""
     if i not in roots or not roots[i].error < SURE:
         return True
@@ -224,9 +228,9 @@ def _doubtful(roots, i):
                for j in (i - 1, i + 1) if j in roots)
 
 
-def _runs(numbers):
+def _runs(numbers: Sequence[int]) -> list[tuple[int, int]]:
     """The (first, last) of ascending numbers without a gap."""
-    found: list = []
+    found: list[Any] = []
     for i in numbers:
         if found and found[-1][1] == i - 1:
             found[-1] = found[-1][0], i
@@ -235,7 +239,8 @@ def _runs(numbers):
     return found
 
 
-def _in_digits(elements, precise, digits):
+def _in_digits(elements: "FactoredSystem", precise: "Callable[[int], FactoredSystem] | None",
+               digits: int | None) -> "FactoredSystem":
     if digits is None:
         return elements
     from mpmath import mp

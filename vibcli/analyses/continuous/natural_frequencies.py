@@ -9,21 +9,23 @@ nothing, or at one of a held piece, pieces get further nodes and several x are t
 sides of each value, √z (1 ± error), proves it.
 """
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from vibcli.analyses.continuous.brackets import Bracket, KnownCounts, parted, reached
 from vibcli.analyses.continuous.counting import GUARD, SLACK, count, rounding, scales
 from vibcli.analyses.continuous.local_modes import local_modes
-from vibcli.analyses.continuous.rayleigh_steps import rayleigh_step, settled, start
+from vibcli.analyses.continuous.rayleigh_steps import beside, rayleigh_step, settled, start
 from vibcli.analyses.continuous.refinement import PARTS, divided_at_poles
 from vibcli.base.errors import PhysicsError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.sparse_elimination import quadratic
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.analyses.continuous.system import ContinuousSystem
     from vibcli.analyses.continuous.uniform_curves import UniformCurves
 
@@ -83,11 +85,11 @@ def better(one: dict[int, NaturalFrequency], other: dict[int, NaturalFrequency])
     return one | {i: root for i, root in other.items() if i not in one or root.error < one[i].error}
 
 
-def _sure(found, index):
+def _sure(found: Mapping[int, NaturalFrequency], index: int) -> bool:
     return index in found and found[index].error < SURE
 
 
-def _ready(bracket, width):
+def _ready(bracket: Bracket, width: float) -> bool:
     """Is a bracket narrow enough to leave counting?"""
     if not bracket.single:
         return _ratio(bracket) < TIGHT
@@ -95,29 +97,34 @@ def _ready(bracket, width):
                                      0.0 if bracket.pole else width - 1)
 
 
-def _ratio(bracket):
+def _ratio(bracket: Bracket) -> "float | mpmath.mpf":
     near, far = sorted((abs(bracket.low), abs(bracket.high)))
     return far / near if near and (bracket.low > 0) == (bracket.high > 0) else float("inf")
 
 
-def _polished(system, brackets):
-    """The roots of brackets with one frequency and no pole, all at a time; those that fail are left out."""
+def _polished(system: "ContinuousSystem", brackets: Mapping[int, Bracket]) -> dict[int, NaturalFrequency]:
+    """The roots of brackets with one frequency and no pole, all at a time; those that fail are left out. Each step
+    tells by the signs of its pivots on which side of the root it lies, so that brackets narrow too."""
     if not brackets or not system.n:
         return {}
-    indices = list(brackets)
-    low, high = (system.numbers(getattr(brackets[i], end) for i in indices) for end in ("low", "high"))
+    indices = np.array(list(brackets))
+    low, high = (system.numbers(getattr(one, end) for one in brackets.values()) for end in ("low", "high"))
     z, x, last = (low + high) / 2, start(system, len(indices)), system.aside ** 1.5
+    held = system.held(z).sum(axis=0)
     for _ in range(STEPS):
-        z, x, moved = rayleigh_step(system, z, x)
+        here, before = beside(system, z), z
+        z, x, negative = rayleigh_step(system, here, x)
+        close = abs(z - before) <= last * abs(z)
+        above = held + negative >= indices
+        low, high = np.where(above, low, np.maximum(low, here)), np.where(above, np.minimum(high, here), high)
         z = np.where((z > low) & (z < high), z, (low + high) / 2)
-        if (abs(moved) <= last * abs(z)).all():
+        if close.all():
             break
-    within = (z > low) & (z < high) & (abs(moved) <= last * abs(z))
-    near = [i for i, good in zip(indices, within, strict=True) if good]
-    return {} if not near else certified(system, z[within], x[:, within], near, np.ones(len(near), bool))
+    within = (z > low) & (z < high) & close
+    return certified(system, z[within], x[:, within], indices[within].tolist(), within[within]) if within.any() else {}
 
 
-def _beside_poles(system, brackets):
+def _beside_poles(system: "ContinuousSystem", brackets: dict[int, Bracket]) -> dict[int, NaturalFrequency]:
     """The roots of brackets with one frequency and a pole in or near them, all at a time: a node within the pieces
     parts them."""
     found: dict[int, NaturalFrequency] = {}
@@ -175,10 +182,10 @@ def certified(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, indices:
 def blurring(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray, sizes: np.ndarray, scale: np.ndarray
              ) -> np.ndarray:
     """What rounds in each coordinate of shapes x, xᵀD′x = 1, as a part of √|z|, (n, number of z)."""
-    return abs(x) ** 2 * rounding(system, sizes, scale) * SLACK / abs(z)
+    return cast("np.ndarray", abs(x) ** 2 * rounding(system, sizes, scale) * SLACK / abs(z))
 
 
-def _rounded_tension(system, z):
+def _rounded_tension(system: "ContinuousSystem", z: np.ndarray) -> np.ndarray:
     """What the rounding of the largest tension along a piece is of √z where it nearly vanishes at an end: waves, whose
     u′² there goes with N^(−3/2), feel it by √(N₁/N₀), as long as there is one of them between."""
     found = np.zeros(len(z))
@@ -190,7 +197,7 @@ def _rounded_tension(system, z):
     return system.unit * found
 
 
-def _local(counts, bracket, members):
+def _local(counts: KnownCounts, bracket: Bracket, members: Sequence[int]) -> dict[int, NaturalFrequency]:
     """The roots within a tight bracket, or one with a pole; PhysicsError where the kinetic energy of shapes is no
     number."""
     try:

@@ -11,7 +11,7 @@ frequencies.
 """
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -51,7 +51,7 @@ def near_ones(modes: "Sequence[Mode]") -> list[list[int]]:
 
 def is_near(one: "Mode", two: "Mode") -> bool:
     """Is the second mode next to the first?"""
-    return two.omega - one.omega <= min(NEAR, SPACED / two.index) * two.omega
+    return cast("bool", two.omega - one.omega <= min(NEAR, SPACED / two.index) * two.omega)
 
 
 def orthogonal(modes: "Sequence[Mode]", find: "Callable[[], ContinuousSystem]") -> "tuple[list[Mode], np.ndarray]":
@@ -68,7 +68,7 @@ def orthogonal(modes: "Sequence[Mode]", find: "Callable[[], ContinuousSystem]") 
     return found, numbers
 
 
-def _orthogonal(modes, system):
+def _orthogonal(modes: "Sequence[Mode]", system: "ContinuousSystem") -> "list[Mode] | None":
     """The same of modes that are near one another; None where their space is not found."""
     z, errors = (np.array([float(part) for part in parts]) for parts in zip(
         *((mode.motion.z, mode.error) for mode in modes), strict=True))
@@ -94,7 +94,7 @@ def _orthogonal(modes, system):
             for k, mode in enumerate(modes)]
 
 
-def _space(system, z):
+def _space(system: "ContinuousSystem", z: np.ndarray) -> np.ndarray:
     """About the shapes at z, ascending."""
     wanted, middle = len(z), system.numbers([(z[0] + z[-1]) / 2])
     entries, _, slope = system.dynamic_stiffness(middle)
@@ -103,10 +103,11 @@ def _space(system, z):
     for _ in range(STEPS):
         x = nearer(system, middle, product(system.pattern, slope, x))
         moved, x = projected(system, entries, slope, x)
-    return x[:, np.sort(np.argsort(abs(moved))[:wanted])]
+    return cast("np.ndarray", x[:, np.sort(np.argsort(abs(moved))[:wanted])])
 
 
-def _without_others(system, z, middle, x):
+def _without_others(system: "ContinuousSystem", z: np.ndarray, middle: float,
+                    x: np.ndarray) -> tuple[np.ndarray, float]:
     """x less what is left of other modes than these, and how much that was of it."""
     entries, _, slope = system.dynamic_stiffness(z)
     away = nearer(system, system.numbers([middle]), product(system.pattern, entries, x))
@@ -115,7 +116,7 @@ def _without_others(system, z, middle, x):
     return x - away, (abs(away) / abs(x).max(axis=1, keepdims=True)).max()
 
 
-def _turned(system, z, middle, x):
+def _turned(system: "ContinuousSystem", z: np.ndarray, middle: float, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """By how much z is off the middle, and the combinations y of the x that are the shapes, orthonormal."""
     left = product(system.pattern, system.dynamic_stiffness(z)[0], x)
     j, k = np.triu_indices(len(z))

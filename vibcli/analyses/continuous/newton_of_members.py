@@ -4,7 +4,7 @@ As D is symmetric its vectors are those of both sides: x is divided by √(xᵀD
 """
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -56,7 +56,7 @@ def settled_from(divisions: "Divisions", starts: np.ndarray, inner: np.ndarray) 
 class Divisions:
     """A matrix, and the same with nodes within its pieces for those s at which these vibrate with their ends held."""
 
-    def __init__(self, matrix: "DynamicMatrix", whole: bool = True):
+    def __init__(self, matrix: "DynamicMatrix", whole: bool = True) -> None:
         self.matrix, self._whole = matrix, whole and matrix.n > 0
         self._matrices = [matrix] * self._whole + [matrix.divided(share) for share in SHARES]
 
@@ -73,7 +73,7 @@ class Divisions:
             for matrix, at, *rest in self._block(s[first:first + block]):
                 yield matrix, at + first, *rest
 
-    def _block(self, s):
+    def _block(self, s: np.ndarray) -> "Iterator[tuple[Any, ...]]":
         left, found = np.arange(len(s)), []
         with np.errstate(all="ignore"):
             for matrix in self._matrices:
@@ -102,7 +102,7 @@ def approached(divisions: Divisions, s: np.ndarray) -> np.ndarray:
     return _followed(divisions, s)[0]
 
 
-def _followed(divisions, s):
+def _followed(divisions: Divisions, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(where Newton's steps settle, where they are still on their way to, as where roots coincide)."""
     s, settled, moving = s.astype(complex), np.zeros(len(s), bool), np.arange(len(s))
     for _ in range(STEPS):
@@ -115,10 +115,11 @@ def _followed(divisions, s):
         kept = ~done & np.isfinite(step)
         moving, step = moving[kept], step[kept]
     slow = moving[abs(step) <= SLOW * abs(s[moving])] if len(moving) else moving
-    return tuple(np.where(found.imag < 0, found.conj(), found) for found in (s[settled], s[slow]))
+    held, late = (np.where(found.imag < 0, found.conj(), found) for found in (s[settled], s[slow]))
+    return held, late
 
 
-def _steps(divisions, s):
+def _steps(divisions: Divisions, s: np.ndarray) -> np.ndarray:
     """The smallest δ with det(D + δ D′) = 0 at each s, NaN where D is not finite."""
     found = np.full(len(s), np.nan, complex)
     for _, at, D, slope, *_ in divisions.parts(s):
@@ -129,7 +130,7 @@ def _steps(divisions, s):
     return found
 
 
-def _multiplicities(divisions, s):
+def _multiplicities(divisions: Divisions, s: np.ndarray) -> np.ndarray:
     """How many λ there are at each s, which is one."""
     found = np.ones(len(s), int)
     away = ALIKE / 3 * s
@@ -140,7 +141,7 @@ def _multiplicities(divisions, s):
     return found
 
 
-def _eigenvalues(matrices):
+def _eigenvalues(matrices: np.ndarray) -> np.ndarray:
     """Of a stack of matrices; NaN of those whose are not found."""
     if matrices.shape[1] == 2:
         return _of_two(matrices)
@@ -152,7 +153,7 @@ def _eigenvalues(matrices):
         return np.full(matrices.shape[:2], np.nan, complex)
 
 
-def _of_two(matrices):
+def _of_two(matrices: np.ndarray) -> np.ndarray:
     """Of a stack of 2 × 2 matrices whose diagonals are m ± d: λ = m ± √(d² + bc)."""
     (a, b), (c, d) = np.moveaxis(matrices.astype(complex), 0, -1)
     with np.errstate(all="ignore"):
@@ -160,7 +161,7 @@ def _of_two(matrices):
     return np.stack([middle + root, middle - root], axis=1)
 
 
-def _solved(D, slope):
+def _solved(D: np.ndarray, slope: np.ndarray) -> np.ndarray:
     """D⁻¹ D′; where D is singular in floats next to it."""
     try:
         return np.linalg.solve(D, slope)
@@ -170,7 +171,7 @@ def _solved(D, slope):
     try:
         return np.linalg.solve(beside, slope)
     except np.linalg.LinAlgError:
-        return np.linalg.pinv(beside) @ slope
+        return cast("np.ndarray", np.linalg.pinv(beside) @ slope)
 
 
 def distinct(roots: np.ndarray) -> np.ndarray:
@@ -222,12 +223,12 @@ def placed_shapes(matrix: "DynamicMatrix", numbers: np.ndarray, p: np.ndarray, s
     return ShapesOf(pieces, numbers, shapes, bends(matrix, p, s, loads))
 
 
-def _apart(x, D, slope, size):
+def _apart(x: np.ndarray, D: np.ndarray, slope: np.ndarray, size: float) -> np.ndarray:
     """Vectors of a λ that is several, rows x, so that xᵢᵀ D′ xⱼ = 0: of those that differ a little each its own."""
     steep, residue = x @ slope @ x.T, x @ D @ x.T
     away, turn = np.linalg.eig(np.linalg.solve(steep, -residue))
     if abs(away - away.mean()).max() > SAME * size:
-        return turn.T @ x
+        return cast("np.ndarray", turn.T @ x)
     found: list[np.ndarray] = []
     for _ in range(len(x)):
         candidates = np.concatenate([x, *(x[i:i + 1] + x[i + 1:] for i in range(len(x) - 1))])

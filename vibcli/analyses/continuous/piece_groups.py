@@ -1,8 +1,8 @@
 """Pieces of one kind of equation, evaluated together at many frequencies and added where they belong."""
 
 from collections import defaultdict
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -22,14 +22,14 @@ class PieceGroup:
     __slots__ = ("_ends", "_entries", "_factors", "_same", "_sources", "_starts", "pieces", "short", "stacked")
 
     def __init__(self, pattern: "Pattern", pieces: "Sequence[PlacedPiece]", digits: int | None,
-                 short: bool = False):
+                 short: bool = False) -> None:
         self.pieces, self.short = list(pieces), short
         kind: Any = float if digits is None else object
         self._same, distinct = _distinct(placed.piece for placed in pieces)
         self.stacked, count = stacked(distinct, kind), len(distinct)
         self._ends = pieces[0].piece.order
         parts = [(a, b) for a in range(self._ends) for b in range(a, self._ends)]
-        share: dict = defaultdict(lambda: defaultdict(int))
+        share: dict[Any, Any] = defaultdict(lambda: defaultdict(int))
         for place, placed in enumerate(self.pieces):
             for at, (a, b) in enumerate(parts):
                 source = at * count + self._same[place]
@@ -63,13 +63,13 @@ class PieceGroup:
         """J₀ of each piece, (pieces, number of z)."""
         return held_counts(self.stacked, z)[self._same]
 
-    def _terms(self, d):
+    def _terms(self, d: np.ndarray) -> np.ndarray:
         """The upper triangle of d for all pieces, (triangle × pieces, number of z), as it enters entry by entry."""
         flat = np.concatenate([d[..., a, b] for a in range(self._ends) for b in range(a, self._ends)])
-        return self._factors * flat[self._sources]
+        return cast("np.ndarray", self._factors * flat[self._sources])
 
 
-def _distinct(pieces):
+def _distinct(pieces: Iterator[Any]) -> tuple[list[int], list[Piece]]:
     """For each piece its place among those that differ, and these."""
     places: dict[Piece, int] = {}
     return [places.setdefault(piece, len(places)) for piece in pieces], list(places)

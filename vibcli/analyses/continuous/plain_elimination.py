@@ -1,6 +1,6 @@
 """Elimination without exchanges of many symmetric matrices at a time, complex ones too, and how well it went."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -46,4 +46,4 @@ def well_solved(D: np.ndarray, entries: "Sequence[tuple[int, int]]", x: np.ndarr
         if i != j:
             rest[j] += D[i, j] * x[i]
             size[j] += magnitude * large[i]
-    return (np.abs(rest) <= WELL * size).all(axis=0)
+    return cast("np.ndarray", (np.abs(rest) <= WELL * size).all(axis=0))

@@ -7,7 +7,7 @@ R: from the exact sum over all modes on a circle about R (Cauchy).
 """
 
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -31,7 +31,8 @@ MOST = 400          # modes one by one
 class RatedExpansion:
     """still: the DynamicMatrix without damping; U (n, r) the rows of dampers; H (n, r) within |s| < radius."""
 
-    def __init__(self, still: "DynamicMatrix", U: np.ndarray, modes: "Modes", damping: "MemberDamping", radius: float):
+    def __init__(self, still: "DynamicMatrix", U: np.ndarray, modes: "Modes", damping: "MemberDamping",
+                 radius: float) -> None:
         self.still, self.U, self.radius = still, U, radius
         self._sum = DampedSum(damping, modes, self._plain)
         self._damping, self._modes = damping, modes
@@ -52,34 +53,34 @@ class RatedExpansion:
         self._expand()
         self._look_beside()
 
-    def _plain(self, sigma):
+    def _plain(self, sigma: np.ndarray) -> np.ndarray:
         """(n, r, N) without damping."""
         D = np.moveaxis(self.still.at(sigma).D, -1, 0)
         return np.moveaxis(np.linalg.solve(D, np.broadcast_to(self.U, (len(sigma), *self.U.shape))), 0, -1)
 
     def denominators(self, s: np.ndarray) -> np.ndarray:
         """q, (modes, N)."""
-        return self.omega[:, None]**2 + self.c[:, None] * s + s * s
+        return cast("np.ndarray", self.omega[:, None]**2 + self.c[:, None] * s + s * s)
 
-    def _one_by_one(self, s):
-        return np.einsum("im,rm,mk->irk", self.shapes, self.psi, 1 / self.denominators(s))
+    def _one_by_one(self, s: np.ndarray) -> np.ndarray:
+        return cast("np.ndarray", np.einsum("im,rm,mk->irk", self.shapes, self.psi, 1 / self.denominators(s)))
 
-    def _expand(self):
+    def _expand(self) -> None:
         s = self._circle(self.eigenvalues)
         whole = self._sum.at(s)
         self.series = _coefficients(s / self.radius, whole - self._one_by_one(s))
         rounding = SURER * self._sum.rounding * UNIT
         self.lost = rounding * abs(self.U.T @ abs(np.moveaxis(whole, -1, 0))).max()
 
-    def _circle(self, eigenvalues):
+    def _circle(self, eigenvalues: np.ndarray) -> np.ndarray:
         """The upper half of one away from eigenvalues."""
         sizes = np.append(abs(eigenvalues).ravel(), 0.0)
         clear = [abs(sizes - at * self.radius).min() for at in CIRCLES]
         turn = np.exp(2j * np.pi * (np.arange(POINTS // 2) + 0.5) / POINTS)
-        return self.radius * CIRCLES[int(np.argmax(clear))] * turn
+        return cast("np.ndarray", self.radius * CIRCLES[int(np.argmax(clear))] * turn)
 
     @cached_property
-    def _power_sums(self):
+    def _power_sums(self) -> np.ndarray:
         """Σ ψ ψᵀ Rᵏ/ω²⁺ᵏ over all others, (TERMS, r, r): from H with a ratio ζ of all modes, Σ Uₖ(−ζ) sᵏ/ω²⁺ᵏ."""
         zeta = float(np.cos(ANGLE))
         s = self._circle(self.omega * np.exp(1j * (np.pi - ANGLE)))
@@ -88,7 +89,7 @@ class RatedExpansion:
         q = self.omega[:, None]**2 + 2 * zeta * self.omega[:, None] * s + s * s
         found = _coefficients(s / self.radius, whole - np.einsum("am,bm,mk->abk", self.psi, self.psi, 1 / q))
         k = np.arange(TERMS)
-        return found / ((-1.0)**k * np.sin((k + 1) * ANGLE) / np.sin(ANGLE))[:, None, None]
+        return cast("np.ndarray", found / ((-1.0)**k * np.sin((k + 1) * ANGLE) / np.sin(ANGLE))[:, None, None])
 
     def energy_of_others(self, s: complex, force: np.ndarray) -> float:
         """Σ |ψᵀ f|²/|q(s)|² over all others: 1/q = Σ gₖ(s)/ω²⁺ᵏ."""
@@ -99,7 +100,7 @@ class RatedExpansion:
         inside = k[:, None] + k < TERMS - 2
         return float((pairs[inside] * sums[(k[:, None] + k + 2)[inside]]).sum()) / self.radius**2
 
-    def _terms(self, s):
+    def _terms(self, s: complex) -> np.ndarray:
         """gₖ(s)/Rᵏ."""
         R = self.radius
         g = np.zeros(TERMS, complex)
@@ -112,7 +113,7 @@ class RatedExpansion:
         g[::2] = (-s * (s + a) / (1 + b * s) / R**2)**np.arange(TERMS // 2) / (1 + b * s)
         return g
 
-    def _look_beside(self):
+    def _look_beside(self) -> None:
         """What is seen of H itself near eigenvalues beyond what it is here: (modes,) of ψ ψᵀ of each."""
         self.blurred = np.zeros(len(self.omega))
         places = self.eigenvalues[1]
@@ -131,15 +132,15 @@ class RatedExpansion:
         series, s = self.series, np.asarray(s, complex) / self.radius
         if slope:
             series = self.series[1:] * np.arange(1, len(self.series))[:, None, None] / self.radius
-        return np.einsum("kir,kn->irn", series, s ** np.arange(len(series))[:, None])
+        return cast("np.ndarray", np.einsum("kir,kn->irn", series, s ** np.arange(len(series))[:, None]))
 
     def at(self, s: np.ndarray) -> np.ndarray:
         """Uᵀ H, (r, r, N)."""
         own = np.einsum("im,rm,mk->irk", self.psi, self.psi, 1 / self.denominators(s))
-        return own + np.einsum("ir,isk->rsk", self.U, self.smooth(s))
+        return cast("np.ndarray", own + np.einsum("ir,isk->rsk", self.U, self.smooth(s)))
 
 
-def _coefficients(s, values):
+def _coefficients(s: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Those of a real power series, (TERMS, …), from its values (…, N) on the upper half of a circle."""
     k = np.arange(TERMS)
     return np.stack([(values * s**-float(power)).sum(axis=-1).real for power in k]) * 2 / POINTS
@@ -153,4 +154,4 @@ def highest(damping: "MemberDamping", radius: float) -> float:
     a, b = (*map(float, damping.series), 0.0)[:2]
     if b * most >= 1:
         return np.inf
-    return max(most, (a * most / (1 - b * most))**0.5)
+    return cast("float", max(most, (a * most / (1 - b * most))**0.5))

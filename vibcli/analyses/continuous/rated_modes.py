@@ -1,10 +1,13 @@
 """Damped modes of members that `damping:` damps: λ² + c λ + ω² = 0 of each mode without dampers, in its shape."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.analyses.modal.damped_modes import DampedMode
 
 if TYPE_CHECKING:
+    import mpmath
+    import numpy as np
+
     from vibcli.analyses.continuous.member_damping import MemberDamping
     from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.analyses.modal.undamped import Mode
@@ -17,7 +20,7 @@ class RatedModes:
     """What `Modes` asks for the damped modes of a MemberDamping; natural: the modes without it; digits: those that it
     has, as numbers of mpmath. They have the numbers of these, two eigenvalues of one mode its own."""
 
-    def __init__(self, natural: "Modes", damping: "MemberDamping", digits: int | None = None):
+    def __init__(self, natural: "Modes", damping: "MemberDamping", digits: int | None = None) -> None:
         self._natural, self._damping = natural, damping
         self._unit = UNIT if digits is None else 10.0**-digits
 
@@ -46,7 +49,7 @@ class RatedModes:
         return [DampedMode(mode.index, _complex(value, 0 * c), omega, zeta, shape, error, None, c / 2)
                 for value in (square / fast, fast)]
 
-    def _not_held(self, mode, c, shape):
+    def _not_held(self, mode: "Mode", c: float, shape: "np.ndarray") -> list[DampedMode]:
         """λ = 0 and −c of a rigid motion; λ² + c λ = g² of what grows."""
         g, error = mode.growth_rate, self._error(float(mode.error), 1.0) * self._damping.spread(mode)
         if g is None:
@@ -55,13 +58,13 @@ class RatedModes:
         fast = c / 2 + (c**2 / 4 + g**2)**0.5
         return [_alone(mode, g**2 / fast, shape, error), _alone(mode, -fast, shape, error)]
 
-    def _error(self, known, inner):
+    def _error(self, known: float, inner: float) -> float:
         """Of |δλ|/|λ|: that of ω, and what rounding of ζ makes of √|1 − ζ²|."""
         rounded = ROUNDINGS * self._unit + 2 * known
-        return rounded / max(min(1.0, inner), rounded)**0.5
+        return cast("float", rounded / max(min(1.0, inner), rounded)**0.5)
 
 
-def _alone(mode, value, shape, error):
+def _alone(mode: "Mode", value: float, shape: "np.ndarray", error: float) -> DampedMode:
     """A real eigenvalue that is not one of two of an over-damped mode."""
     return DampedMode(mode.index, _complex(value, 0 * value), abs(value), None, shape, error)
 
@@ -70,7 +73,7 @@ def _complex(re: Any, im: Any) -> Any:
     return complex(re, im) if isinstance(re, float) else _precise(re, im)
 
 
-def _precise(re, im):
+def _precise(re: "mpmath.mpf", im: "mpmath.mpf") -> "mpmath.mpc":
     import mpmath
 
     return mpmath.mpc(re, im)

@@ -11,7 +11,7 @@ of xᴴ D y is at most √(xᴴQx · yᴴQy): Q = Σ ψ ψᵀ |Δ(s/q)| of the m
 whose |q| > 0.36 ω² and |ω² − s²| < 1.16 ω², 9 |Δs| Uᵀ H(0).
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -41,7 +41,7 @@ class RatedRoot(NamedTuple):
 class RatedRoots:
     """given: the RatedExpansion; rates: Λ."""
 
-    def __init__(self, given: "RatedExpansion", rates: np.ndarray):
+    def __init__(self, given: "RatedExpansion", rates: np.ndarray) -> None:
         self.given, self.rates, self.count = given, rates, len(rates)
         self._static = np.einsum("ir,is->rs", given.U, given.smooth(np.zeros(1))[:, :, 0].real)
 
@@ -64,7 +64,7 @@ class RatedRoots:
         found = eig(A, B, right=False)
         found = found[np.isfinite(found) & (abs(found) < WIDER * pace)]
         found = np.where(abs(found.imag) < SAME * abs(found), found.real, found)
-        return found[found.imag >= 0]
+        return cast("np.ndarray", found[found.imag >= 0])
 
     def found(self, least: float) -> list[RatedRoot]:
         """All that estimates lead to, |λ| > least, each as often as it is one."""
@@ -76,7 +76,7 @@ class RatedRoots:
                 points.append(root)
         return [one for s in points for one in self._at(s) if one.value.imag >= 0]
 
-    def _approached(self, s):
+    def _approached(self, s: complex) -> complex | None:
         for _ in range(STEPS):
             E, slope, *_ = self._bordered(s)
             if not (np.isfinite(E).all() and np.isfinite(slope).all()):
@@ -93,7 +93,7 @@ class RatedRoots:
                 return s if s.imag >= 0 else s.conjugate()
         return None
 
-    def _bordered(self, s):
+    def _bordered(self, s: complex) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """E, E′, bounds of the errors of E, and the numbers of the modes that are taken out."""
         given, r, at = self.given, self.count, np.array([s])
         q, q_slope = given.denominators(at)[:, 0], 2 * s + given.c
@@ -118,7 +118,7 @@ class RatedRoots:
         lost[r:, :r] = apart[:, None]
         return E, slope, lost, out
 
-    def _at(self, s):
+    def _at(self, s: complex) -> list[RatedRoot]:
         """The RatedRoots that coincide at s, or nearly do."""
         E, slope, lost, out = self._bordered(s)
         unit = self._units(s, out)
@@ -133,13 +133,13 @@ class RatedRoots:
         shapes = self._shapes(s, unit[:, None] * (x @ turn), out)
         return [RatedRoot(complex(s + step), float(error), shape) for step, shape in zip(away, shapes.T, strict=True)]
 
-    def _units(self, s, out):
+    def _units(self, s: complex, out: np.ndarray) -> np.ndarray:
         """In which entries of E are alike: (r + modes taken out,)."""
         given = self.given
         size = abs(1 / self.rates / s) + abs(np.diag(self._static))
-        return 1 / np.sqrt(np.append(size, (given.omega**2 + abs(s)**2)[out]))
+        return cast("np.ndarray", 1 / np.sqrt(np.append(size, (given.omega**2 + abs(s)**2)[out])))
 
-    def _shapes(self, s, vectors, out):
+    def _shapes(self, s: complex, vectors: np.ndarray, out: np.ndarray) -> np.ndarray:
         """Displacements (n, vectors), of unit Σ|η|² over all modes."""
         given, r = self.given, self.count
         q = given.denominators(np.array([s]))[:, 0]
@@ -149,14 +149,14 @@ class RatedRoots:
         eta[out] = vectors[r:]
         found = given.shapes @ eta + given.smooth(np.array([s]))[:, :, 0] @ vectors[:r]
         others = [given.energy_of_others(s, one) for one in vectors[:r].T]
-        return found / np.sqrt(np.linalg.norm(eta, axis=0)**2 + others)
+        return cast("np.ndarray", found / np.sqrt(np.linalg.norm(eta, axis=0)**2 + others))
 
     def zeros_within(self, radius: float) -> int | None:
         """How many there are in |s| < radius, conjugates and multiplicities counted; None where one is beside it."""
         turns = turned(self._phases, lambda t: radius * np.exp(1j * np.pi * t), ARCS, MOST)
         return None if turns is None else turns + int((abs(self.given.eigenvalues) < radius).sum())
 
-    def _phases(self, s, step):
+    def _phases(self, s: np.ndarray, step: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """det D/|det D|, and how far its argument can be from that within so long a step."""
         given, r = self.given, self.count
         with np.errstate(all="ignore"):

@@ -4,6 +4,7 @@ missed.
 As of dampers alone, estimates are polished, and the argument principle counts how many λ there are with |λ| < R.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,7 +33,7 @@ GAPS = 4            # between roots that are tried in turn for the circle
 class RatedDampedModes:
     """What `Modes` asks for; elements: with the dampers alone; natural: the modes without damping."""
 
-    def __init__(self, elements: "FactoredSystem", natural: "Modes", damping: "MemberDamping"):
+    def __init__(self, elements: "FactoredSystem", natural: "Modes", damping: "MemberDamping") -> None:
         self._damping, self._modes = damping, natural
         matrix = dynamic_matrix(elements)
         C = matrix.polynomial[1]
@@ -63,7 +64,7 @@ class RatedDampedModes:
         """What tells that none of the indices from first to last is missing."""
         return self.region if last <= len(self.region.modes) else None
 
-    def _reach(self, radius, least, wanted):
+    def _reach(self, radius: float, least: float, wanted: int) -> None:
         """The Region beyond `least` of so many that move."""
         if self._refused:
             raise self._refused
@@ -79,7 +80,7 @@ class RatedDampedModes:
         raise PhysicsError(f"so many damped modes are not found: fewer with |λ| < {radius / WIDER:.4g} 1/s are certain",
                            "ask for fewer modes, or for frequency responses")
 
-    def _search(self, radius, least, wanted):
+    def _search(self, radius: float, least: float, wanted: int) -> Region | None:
         """The Region about this radius or less; None where it is not told, or does not hold so many."""
         roots = RatedRoots(RatedExpansion(self._still, self._dampers.rows, self._modes, self._damping, radius),
                            self._dampers.rates)
@@ -92,7 +93,7 @@ class RatedDampedModes:
                 return Region(circle, at_rest + sum(2 if one.value.imag else 1 for one in inside), self._listed(inside))
         return None
 
-    def _at_rest(self):
+    def _at_rest(self) -> int:
         """How often λ = 0 is one: twice of each motion that nothing holds, once where dampers feel it."""
         if not self._resting:
             return 0
@@ -101,7 +102,7 @@ class RatedDampedModes:
         size = (abs(shapes)**2 * abs(self._dampers.rates)).sum() or 1.0
         return 2 * len(self._resting) - int((abs(felt) > UNFELT * size).sum())
 
-    def _listed(self, roots):
+    def _listed(self, roots: Sequence[RatedRoot]) -> list[DampedMode]:
         found = [DampedMode(i, 0.0, 0.0, None, shape + 0j, 0.0, "rigid motion: λ = 0")
                  for i, shape in enumerate(self._resting, 1)]
         for index, root in enumerate(roots, len(found) + 1):
@@ -118,7 +119,7 @@ def _cleaned(root: RatedRoot) -> RatedRoot:
     return root
 
 
-def _circles(sizes, least, radius, wanted):
+def _circles(sizes: Sequence[float], least: float, radius: float, wanted: int) -> list[float]:
     """Radii between roots within which so many are and that are beyond `least`; the clearest first."""
     ends, found = [0.0, *sizes, radius], []
     for i in range(wanted, len(sizes) + 1):
@@ -129,18 +130,18 @@ def _circles(sizes, least, radius, wanted):
     return [at for _, at in sorted(found[:GAPS], reverse=True)]
 
 
-def _creeping():
+def _creeping() -> NoMoreTold:
     return NoMoreTold("damped modes of members are not found where a Caughey series of three terms or more stands "
                       "beside dampers: modes without end creep about λ = 0",
                       "ask for frequency responses or steady(…), or write `modal: […]`")
 
 
-def _turning():
+def _turning() -> NoMoreTold:
     return NoMoreTold("damped modes of members are not found where modes have ratios beside forces that no potential "
                       "gives", "ask for frequency responses or steady(…)")
 
 
-def _piled_up(limit):
+def _piled_up(limit: float) -> NoMoreTold:
     return NoMoreTold(f"damping that grows as the square of frequencies makes modes without end creep: beside ratios "
                       f"of modes damped modes are told below {limit:.4g} 1/s alone",
                       "ask for fewer modes, or for frequency responses")

@@ -8,6 +8,7 @@ from vibcli.numerics.sparse_elimination import product, quadratic
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
+    from vibcli.numerics.sparse_elimination import Elimination
 
 TAKEN_OUT, AT_MOST = 2, 8       # times; each leaves of another shape a millionth over the relative distance of its z
 NOTHING_LEFT = 64   # roundings
@@ -20,16 +21,16 @@ def start(system: "ContinuousSystem", count_: int) -> np.ndarray:
     return np.array([system.numbers(row) for row in parts]).reshape(system.n, count_)
 
 
-def rayleigh_step(system: "ContinuousSystem", z: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, Any]:
-    """One Rayleigh quotient of each column: z, x with xᵀD′x = 1, and by how much z has moved. Taken beside z, where D
-    has an inverse: it ends within aside² of the frequency; a column that has no such x is no number."""
-    here = beside(system, z)
+def rayleigh_step(system: "ContinuousSystem", here: np.ndarray, x: np.ndarray
+                  ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """z and x of one Rayleigh quotient of each column, with xᵀD′x = 1, and how many eigenvalues of D are negative here,
+    where it has an inverse: beside a frequency z ends within aside² of it; a column that has no such x is no number."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         entries, sizes, slope = system.dynamic_stiffness(here)
-        x = system.eliminated(entries, sizes).solved(product(system.pattern, slope, x))
+        factors = system.eliminated(entries, sizes)
+        x = factors.solved(product(system.pattern, slope, x))
         x = x / np.sqrt(quadratic(system.pattern, slope, x))
-        new = here + quadratic(system.pattern, entries, x)
-        return new, x, new - z
+        return here + quadratic(system.pattern, entries, x), x, factors.negative()
 
 
 def nearer(system: "ContinuousSystem", z: np.ndarray, loads: np.ndarray) -> np.ndarray:
@@ -58,6 +59,6 @@ def beside(system: "ContinuousSystem", z: np.ndarray) -> Any:
     return z + (abs(z) + system.aside * system.scale) * system.aside
 
 
-def _factors(system, z):
+def _factors(system: "ContinuousSystem", z: np.ndarray) -> "Elimination":
     entries, sizes, _ = system.dynamic_stiffness(beside(system, z))
     return system.eliminated(entries, sizes)

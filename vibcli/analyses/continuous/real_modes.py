@@ -27,10 +27,12 @@ class RealModes:
     lost: rounding of the start, in each state; doubt: the Doubt of the states.
     """
 
+    UNBOUNDED = "as supports are driven beside `damping:` of members"       # where nothing is known of those left out
+
     def __init__(self, basis: "ModeBasis", inputs: np.ndarray, start: "Sequence[tuple[np.ndarray, np.ndarray]]",
                  damping: np.ndarray, creeping: bool = False,
                  disturbed: "Callable[[Sequence[Segment]], Disturbances] | None" = None,
-                 shaking: "Shaking | None" = None):
+                 shaking: "Shaking | None" = None) -> None:
         (eta, eta_lost), (rate, rate_lost) = start
         squares, self.basis, self.count, self.disturbed = basis.squares, basis, len(basis.squares), disturbed
         at, self.rigid = np.flatnonzero(squares + damping), np.flatnonzero((squares == 0) & (damping == 0))

@@ -12,6 +12,7 @@ from vibcli.analyses.continuous.piece_groups import held_by
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
+    from vibcli.numerics.pieces.piece import Piece
 
 PARTS = (0.5, 0.4375, 0.390625, 0.359375, 0.328125, 0.296875, 0.265625, 0.234375,
          1.5 - 5**0.5 / 2, 2**0.5 - 1, 2 - 3**0.5)      # the last where nodes of modes divide a piece evenly
@@ -41,7 +42,7 @@ def divided_at_poles(system: "ContinuousSystem", low: np.ndarray, high: np.ndarr
     return system.refined({number: system.number(part) for number in np.flatnonzero(crossed).tolist()})
 
 
-def _best_parts(pieces, low, high, least):
+def _best_parts(pieces: "list[Piece]", low: float, high: float, least: float) -> "dict[Piece, float]":
     """The parts of their length where pieces of one kind had better be divided, of those for which it is better."""
     distances, counts = _clearance(pieces, low, high, least)
     whole = dict(zip(pieces, distances.tolist(), strict=True))
@@ -60,7 +61,7 @@ def _best_parts(pieces, low, high, least):
     return {piece: -part for piece, (_, part) in best.items() if part}
 
 
-def _clearance(pieces, low, high, least):
+def _clearance(pieces: "list[Piece]", low: float, high: float, least: float) -> tuple[np.ndarray, np.ndarray]:
     """For each piece the relative distance of the widest surrounding of low … high that is without a pole of it, one of
     NEAR or 0; and the number of its poles below."""
     z = np.concatenate([low - max(abs(low), least) * NEAR, high + max(abs(high), least) * NEAR])

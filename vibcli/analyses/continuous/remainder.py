@@ -41,7 +41,7 @@ def remainder(sizes: np.ndarray, rounded: float = 0.0) -> float:
     return most
 
 
-def _over_octaves(sizes):
+def _over_octaves(sizes: np.ndarray) -> float:
     """The power, in halves, of which amplitudes fall by no less over the last two octaves, three, …"""
     count = len(sizes)
     tops = [sizes[count // 2**(k + 1):count // 2**k].max() for k in range(OCTAVES + 1)]

@@ -39,7 +39,7 @@ class RestOfTransfer:
     """Of RealModes, ComplexModes or TiedModes and what is beyond them, of what a transfer knows exactly."""
 
     def __init__(self, modes: "RealModes | ComplexModes | TiedModes",
-                 transfer: "ExactTransfer | DampedTransfer | CoupledTransfer"):
+                 transfer: "ExactTransfer | DampedTransfer | CoupledTransfer") -> None:
         self.modes, self.transfer, self.states = modes, transfer, modes.states
         self._taylor: dict[Any, np.ndarray] = {}
         self._near: dict[complex, np.ndarray] = {}
@@ -51,7 +51,7 @@ class RestOfTransfer:
             self._near[s] = (self._apart(s) <= self._reach) | (self.states.modes < LOW)
         return self._near[s]
 
-    def _apart(self, s):
+    def _apart(self, s: complex) -> np.ndarray:
         """How far the λ of each state, or its conjugate, is from s."""
         rates = self.states.rates
         return np.minimum(np.abs(s - rates), np.abs(s - rates.conj()))
@@ -64,7 +64,7 @@ class RestOfTransfer:
                       for part in (taylor @ stroke.force, lost @ np.abs(stroke.force)))
         return found, np.abs(off)
 
-    def _remaining(self, read, s, power):
+    def _remaining(self, read: "Read", s: complex, power: int) -> np.ndarray:
         """(2, power + 1, channels): the coefficients of Taylor's series of R about s, and what rounding leaves of
         them."""
         key = (key_of(read.output), read.order, s)
@@ -79,7 +79,7 @@ class RestOfTransfer:
             self._taylor[key] = found
         return self._taylor[key][:, :power + 1]
 
-    def _on_circle(self, read, s, power, radius):
+    def _on_circle(self, read: "Read", s: complex, power: int, radius: float) -> tuple[np.ndarray, bool]:
         """(the coefficients, does R show poles within? as where near modes that are critically damped stand for double
         poles)."""
         turn = np.exp(2j * np.pi * (np.arange(POINTS) + 0.5) / POINTS)
@@ -92,7 +92,7 @@ class RestOfTransfer:
                           for own in (powers, [rounds + shown] * len(powers))])
         return found, bool((shown > POLES * rounds).any())
 
-    def _radius(self, s, near):
+    def _radius(self, s: complex, near: np.ndarray) -> float:
         """That of a circle about s well inside all poles but the near ones; 0 where there is none."""
         highest, slowest = self.modes.left_out
         if not highest - abs(s) > highest / 4:
@@ -101,16 +101,16 @@ class RestOfTransfer:
         beyond = abs(s + slowest if s.real > -slowest else s.imag)
         return min(highest - abs(s), beyond, float(far.min(initial=np.inf))) / INSIDE
 
-    def _among_creeping(self, read, s, power):
+    def _among_creeping(self, read: "Read", s: complex, power: int) -> np.ndarray:
         """The same where no circle about s is free of eigenvalues: of a steady load alone."""
         if s or power or read.rigid.size or not self.states.rates.all():
             raise left_to_creep()
         left = self._left(read, np.zeros(1, complex), self.near(s)).T
         return np.array([left, 16 * EPSILON * np.abs(left)])
 
-    def _left(self, read, s, near):
+    def _left(self, read: "Read", s: np.ndarray, near: np.ndarray) -> np.ndarray:
         """R at points, (channels, points)."""
-        exact = self.transfer.at(read.output, s) * s**read.order
+        exact: np.ndarray = self.transfer.at(read.output, s) * s**read.order
         for sign in (1, -1):
             weight, rates, inputs = (part[near] if sign > 0 else part[near].conj()
                                      for part in (read.states, self.states.rates, self.states.inputs))
@@ -119,7 +119,7 @@ class RestOfTransfer:
             exact = exact - np.outer(read.rigid[order] @ self.modes.rigid_inputs, s ** (order - 2.0))
         return exact
 
-    def _inside(self, read, s):
+    def _inside(self, read: "Read", s: np.ndarray) -> float:
         """What is read at both ends of short pieces of beams, beside which it may be small inside: its size there."""
         pieces, basis, found = self.transfer.pieces, self.modes.basis, 0.0
         for place, factor in read.output.places.items():
@@ -130,7 +130,7 @@ class RestOfTransfer:
         return found
 
 
-def _too_slow(s):
+def _too_slow(s: complex) -> TooSlow:
     if complex(s).imag:
         return TooSlow(f"a load turns with {abs(s):.4g} rad/s, as fast as the modes that are counted",
                        "ask for steady(…), or let it turn more slowly")

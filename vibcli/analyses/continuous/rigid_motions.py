@@ -1,6 +1,6 @@
 """What moves without a force: a basis of what the springs and pieces at rest leave free, xᵀ ∂D/∂s² x = 1."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from vibcli.numerics.sparse_elimination import product
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
+    from vibcli.mechanics.factored_system import FactoredSystem
 
 
 def never_grows(elements: Any) -> bool:
@@ -22,10 +23,10 @@ def never_grows(elements: Any) -> bool:
 
 def rigid_count(elements: Any) -> int:
     """How many motions nothing resists, whatever its stiffness is; those that entries of K touch are not among them."""
-    return elements.n - rank(elements.n, _rows(elements))
+    return cast("int", elements.n - rank(elements.n, _rows(elements)))
 
 
-def _rows(elements):
+def _rows(elements: "FactoredSystem") -> list[dict[int, float]]:
     """The rows of all springs, those of pieces at rest among them, and of what is no spring."""
     rows = [row for k, row in elements.static_springs if k]
     rows += [row for placed in elements.pieces if placed.piece.foundation for row in placed.rows]
@@ -44,7 +45,7 @@ def rigid_shapes(elements: Any, system: "ContinuousSystem", count: int) -> np.nd
     return _normalised(system, np.array([system.numbers(row) for row in free]))
 
 
-def _by_leaders(free):
+def _by_leaders(free: np.ndarray) -> np.ndarray:
     """The same space with columns of which each alone moves its leading coordinate."""
     leaders: list[int] = []
     for i in range(len(free)):
@@ -54,7 +55,7 @@ def _by_leaders(free):
     return np.where(abs(found) < 1e-13 * abs(found).max(), 0.0, found)
 
 
-def _normalised(system, shapes: Any):
+def _normalised(system: "ContinuousSystem", shapes: Any) -> np.ndarray:
     """Columns made orthogonal and of unit inertia, in turn; UnheldCoordinate of one that has none."""
     _, _, inertia = system.dynamic_stiffness(system.numbers([0]))
     for k in range(shapes.shape[1]):
@@ -65,4 +66,4 @@ def _normalised(system, shapes: Any):
         if not size > 0:
             raise mechanism(int(np.flatnonzero(shapes[:, k])[0]))
         shapes[:, k] = shapes[:, k] / size ** 0.5
-    return shapes
+    return cast("np.ndarray", shapes)

@@ -8,7 +8,7 @@ against what u gives at rest. With ċ = λ c + w (g u + r u̇ + m ü) the states
     w (g + λ r + λ² m) u.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -46,7 +46,7 @@ def rate_share(damping: "MemberDamping", squares: np.ndarray, rates: np.ndarray,
     if damping.whole:
         alpha, beta = (*map(float, damping.series), 0.0)[:2]
         return beta * g + alpha * m
-    return np.where(squares > 0, rates / np.where(squares > 0, squares, 1.0), 0.0)[:, None] * g
+    return cast("np.ndarray", np.where(squares > 0, rates / np.where(squares > 0, squares, 1.0), 0.0)[:, None] * g)
 
 
 class Support(NamedTuple):
@@ -61,10 +61,10 @@ class ShakenTransfer:
     with driven ends, neither damped; their channels are those of loads, and behind them supports."""
 
     def __init__(self, loads: "ExactTransfer", moved: "ExactTransfer", supports: list[Support], modes: "Modes",
-                 damping: "MemberDamping"):
+                 damping: "MemberDamping") -> None:
         self.loads, self.moved, self.supports = DampedTransfer(loads, modes, damping), moved, supports
         self.pieces, self._modes, self._damping = moved.pieces, modes, damping
-        self._sums: dict = {}
+        self._sums: dict[Any, tuple[np.ndarray, DampedSum]] = {}
 
     def at(self, output: "LinearOutput", s: np.ndarray) -> np.ndarray:
         """(channels, number of s): the output, its constant and channels left out, for a unit e^{st} on each."""
@@ -75,13 +75,13 @@ class ShakenTransfer:
                 found += s**power * self._shaken(part, s)
         return np.concatenate([self.loads.at(output, s), found])
 
-    def _shaken(self, part, s):
+    def _shaken(self, part: "LinearOutput", s: np.ndarray) -> np.ndarray:
         if self._damping.whole:
             return self._still(part, np.sqrt(-fractions([float(a) for a in self._damping.series], s)[0][0]))
         rest, total = self._sum_of(part)
-        return rest - s * s * total.at(s)
+        return cast("np.ndarray", rest - s * s * total.at(s))
 
-    def _sum_of(self, part):
+    def _sum_of(self, part: "LinearOutput") -> tuple[np.ndarray, DampedSum]:
         key = tuple(sorted(part.q.items())), tuple(sorted(part.places.items()))
         if key not in self._sums:
             rest = self._still(part, np.zeros(1, complex))
@@ -89,7 +89,7 @@ class ShakenTransfer:
                                               lambda sigma: (rest - self._still(part, sigma)) / sigma**2)
         return self._sums[key]
 
-    def _still(self, part, sigma):
+    def _still(self, part: "LinearOutput", sigma: np.ndarray) -> np.ndarray:
         """(supports, number of σ): what displacements move without damping."""
         felt, n = self.moved.at(part, sigma), self.moved.n
         found = []

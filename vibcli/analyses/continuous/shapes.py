@@ -4,7 +4,7 @@ A mode is normalised to shapeᵀ ∂D/∂s² shape = 1: the sum of mass times di
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -92,7 +92,7 @@ def antinodes_and_displacements(pieces: Sequence[Moved], turning: Sequence[float
     return places[moves & above[0] & above[1]].tolist(), u[looked_at.size:]
 
 
-def _by_slopes(pieces, places):
+def _by_slopes(pieces: Sequence[Moved], places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(whether |u| falls towards the left of each turning place, and towards the right), as slopes tell at ends."""
     u, slope, bend = _with_slopes(pieces, places)[:, :3].T
     falls = u * bend < 0
@@ -101,7 +101,8 @@ def _by_slopes(pieces, places):
     return left, right
 
 
-def _narrowed(pieces, of, ends, values, slopes):
+def _narrowed(pieces: Sequence[Moved], of: np.ndarray, ends: np.ndarray, values: np.ndarray,
+              slopes: np.ndarray) -> np.ndarray:
     """The zeros of u, of = 0, and of u′, 1, between two ends each, (2, zeros), with these values and slopes there, by
     Newton steps that stay between them, from where a cubic of place by value is, that has these slopes."""
     (low, high), below = ends, values[0]
@@ -122,7 +123,7 @@ def _narrowed(pieces, of, ends, values, slopes):
     return found
 
 
-def _between(ends, values, slopes):
+def _between(ends: np.ndarray, values: np.ndarray, slopes: np.ndarray) -> np.ndarray:
     """Where x(f) = 0 of Hermite's cubic by the values f at both ends and 1/f′; of the straight line where it leaves
     them."""
     (low, high), (below, above) = ends, values
@@ -131,10 +132,10 @@ def _between(ends, values, slopes):
     with np.errstate(all="ignore"):
         one, other = rise / slopes - (high - low)
         found = low + share * (high - low) + share * (1 - share) * ((1 - share) * one - share * other)
-    return np.where((found > low) & (found < high), found, low + share * (high - low))
+    return cast("np.ndarray", np.where((found > low) & (found < high), found, low + share * (high - low)))
 
 
-def _with_slopes(pieces, places):
+def _with_slopes(pieces: Sequence[Moved], places: np.ndarray) -> np.ndarray:
     """(u, u′, u″, …); of bars, shafts and strings u″ from (N u′)′ = κ u."""
     found = shape_along(pieces, places).real
     if found.shape[1] > 2:
@@ -147,7 +148,7 @@ def _with_slopes(pieces, places):
     return np.column_stack([found, bend])
 
 
-def _piece_at(pieces, places):
+def _piece_at(pieces: Sequence[Moved], places: np.ndarray) -> np.ndarray:
     """The numbers of the pieces that places are on."""
     starts = np.array([moved.start for moved in pieces])
     return np.maximum(np.searchsorted(starts, places, side="right") - 1, 0)
@@ -159,7 +160,7 @@ def mean_tension(piece: Piece) -> Any:
     return ((max(left, 0 * left)**0.5 + max(right, 0 * right)**0.5) / 2)**2 if piece.gradient else left
 
 
-def _lengths(piece, q):
+def _lengths(piece: Piece, q: float) -> tuple[float, float]:
     """(half-waves along a piece at most, the part of it in which what begins at an end fades, 0 where nothing does), by
     the roots of B β⁴ + N β² = q and B γ⁴ − N γ² = q, N the least tension, q what drives the motion per length and u."""
     if piece.order == 2:
@@ -171,7 +172,7 @@ def _lengths(piece, q):
     return beta * piece.length / np.pi, 1 / (gamma * piece.length) if N > 0 else 0.0
 
 
-def _grid(moved):
+def _grid(moved: Moved) -> np.ndarray:
     """Places within a piece, several for each half-wave, close to its ends too."""
     piece = moved.piece
     waves, layer = _lengths(piece, max(-moved.kappa, 0.0))
@@ -179,4 +180,4 @@ def _grid(moved):
     if 0 < layer < 1 / FINE:
         within = layer * LAYERS[layer * LAYERS > CLOSE]
         inner = np.unique(np.concatenate([inner, within, 1 - within]))
-    return moved.start + piece.length * inner
+    return cast("np.ndarray", moved.start + piece.length * inner)

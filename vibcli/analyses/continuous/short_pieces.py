@@ -10,8 +10,8 @@ coordinates stay as they are.
 What bends it as a cantilever, F and P, is what all else leaves: R x = (w, ψ), Rᵀ (F, P) = f − D₀ p, D₀ without that.
 """
 
-from collections.abc import Collection, Mapping, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from vibcli.numerics.pieces.relative import SHORT, cantilever
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
 
 PART = 1 / 16       # of the longest piece of a member: what is shorter is short
 
@@ -29,11 +30,11 @@ class RelativeCoordinates(NamedTuple):
     """rows: {coordinate of q: its row over p}, where they differ; short: {number of a piece: the rows of u₀, θ₀, w, ψ};
     ends: the rows of the end values of all pieces, over p."""
 
-    rows: Mapping[int, dict]
-    short: Mapping[int, tuple]
-    ends: Sequence[tuple]
+    rows: Mapping[int, dict[int, Any]]
+    short: Mapping[int, tuple[Any, ...]]
+    ends: Sequence[tuple[Any, ...]]
 
-    def row(self, row: Mapping[int, float]) -> dict:
+    def row(self, row: Mapping[int, float]) -> dict[int, float]:
         """A row over q as one over p."""
         return _over(self.rows, row)
 
@@ -51,7 +52,7 @@ class RelativeCoordinates(NamedTuple):
         return {number: _bends(pieces[number].piece, rows, p, left, self._alone(number))
                 for number, rows in self.short.items()}
 
-    def _alone(self, number):
+    def _alone(self, number: int) -> list[int]:
         """The coordinates of w and ψ of a piece; none where they bend others too."""
         own, others = ({i for rows in parts for row in rows[2:] for i in row} for parts in (
             [self.short[number]], [rows for k, rows in self.short.items() if k != number]))
@@ -70,7 +71,8 @@ def bends(matrix: "DynamicMatrix", p: np.ndarray, s: np.ndarray,
     return found
 
 
-def _bends(piece, rows, p, left, alone):
+def _bends(piece: "Piece", rows: tuple[dict[int, float], dict[int, float], dict[int, float], dict[int, float]],
+           p: np.ndarray, left: np.ndarray, alone: list[int]) -> np.ndarray:
     u, turn, w, psi = (sum((x * p[..., i] for i, x in row.items()), 0 * p[..., :1].sum(axis=-1)) for row in rows)
     S = cantilever(piece)
     if alone:
@@ -86,8 +88,8 @@ def relative_coordinates(pieces: "Sequence[PlacedPiece]", kept: Collection[int] 
     """Those of all pieces that are short and of which an end moves freely, or none of both as a rigid body; kept:
     coordinates that stay as they are."""
     numbers = list(_short(pieces))
-    rows: dict[int, dict] = {}
-    own: dict[int, tuple] = {}
+    rows: dict[int, dict[int, Any]] = {}
+    own: dict[int, tuple[Any, ...]] = {}
     for mirrored in (True, False):
         for number in reversed(numbers) if mirrored else numbers:
             found = None if number in own else _turned(pieces[number], mirrored, kept, rows)
@@ -104,7 +106,8 @@ def relative_coordinates(pieces: "Sequence[PlacedPiece]", kept: Collection[int] 
     return RelativeCoordinates(rows, short, ends)
 
 
-def _turned(placed, mirrored, kept, rows):
+def _turned(placed: "PlacedPiece", mirrored: bool, kept: "Collection[int]", rows: dict[int, dict[int, float]]
+            ) -> "tuple[dict[int, dict[int, float]], tuple[dict[int, Any], ...]] | None":
     """({coordinate of the end that moves freely: its row over p}, the rows of w and ψ over p): of the right end, or
     mirrored of the left one where the right one does not move so."""
     left, right = placed.rows[:2], placed.rows[2:]
@@ -122,21 +125,22 @@ def _turned(placed, mirrored, kept, rows):
     return {i: _sum({i: 1.0}, line, 1.0), j: _sum({j: 1.0}, turn, 1.0)}, own
 
 
-def _freely(end, kept, rows):
+def _freely(end: tuple[dict[int, Any], ...], kept: Collection[int],
+            rows: Mapping[int, dict[int, float]]) -> bool:
     """Has an end coordinates of its own, which are what they were?"""
     places = [i for row in end for i in row]
     return (len(set(places)) == 2 and all([*row.values()] == [1] for row in end)
             and not any(i in kept or i in rows for i in places))
 
 
-def _stays(ends):
+def _stays(ends: Sequence[Mapping[int, Any]]) -> bool:
     """Does no motion of a piece as a rigid body go with end values that move by themselves? Then two do at most."""
     places = [i for row in ends for i in row]
     both = ends[0] and ends[2]
     return all(len(row) < 2 for row in ends) and len(places) == len(set(places)) < 3 and not both
 
 
-def _short(pieces):
+def _short(pieces: "Sequence[PlacedPiece]") -> Iterator[int]:
     """The numbers of short pieces."""
     longest: dict[str, float] = {}
     for placed in pieces:
@@ -149,14 +153,14 @@ def _short(pieces):
                 yield number
 
 
-def _sum(row, other, factor):
+def _sum(row: Mapping[int, float], other: Mapping[int, float], factor: float) -> dict[int, float]:
     found = dict(row)
     for i, x in other.items():
         found[i] = found.get(i, 0.0) + factor * x
     return found
 
 
-def _over(rows, row):
+def _over(rows: Mapping[int, dict[int, float]], row: Mapping[int, float]) -> dict[int, float]:
     """A row over q as one over p, given where they differ."""
     found: dict[int, float] = {}
     for i, x in row.items():

@@ -54,7 +54,7 @@ def _halved(system: "ContinuousSystem", rigid: int) -> "ContinuousSystem":
             return system
 
 
-def _precise(elements: Any, rigid, shape, near):
+def _precise(elements: Any, rigid: int, shape: np.ndarray, near: Any) -> float:
     """λ next to one that rounds, by inverse iteration in more digits."""
     from mpmath import mp
 

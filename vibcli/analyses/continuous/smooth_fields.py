@@ -5,7 +5,7 @@ so that forces that the field needs are as exact as itself.
 """
 
 from math import factorial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -37,14 +37,15 @@ def smooth_field(nodes: "Mapping[int, Node]", x: "Node", end: "Node", values: "M
     return Forcing(len(orders), found)
 
 
-def _slopes(node, x, order):
+def _slopes(node: "Node", x: "Node", order: int) -> "list[Node]":
     found = [node]
     for _ in range(order):
         found.append(gradient(found[-1]).get(x, x.table.zero))
     return found
 
 
-def _powers(row, x, start, length, values):
+def _powers(row: "Sequence[Node]", x: "Node", start: float, length: float,
+            values: "Mapping[str, float]") -> list[float]:
     """Coefficients of powers of the distance from the start of a panel."""
     highest = legendre_powers(row[-1], x, (start, start + length), values)
     return integrated(evaluate(row[:-1], Floats, {**values, x.name: start + length / 2}), highest, length)
@@ -57,4 +58,4 @@ def integrated(given: "Sequence[float]", highest: "Sequence[float]", length: flo
     about = [c * half**k / factorial(k) for k, c in enumerate(given)]
     about += [c * half**order * factorial(k) / factorial(k + order) for k, c in enumerate(highest)]
     moved = np.asarray(np.polynomial.Polynomial(about)(np.polynomial.Polynomial([-1.0, 2.0])).coef, float)
-    return (moved / length ** np.arange(len(moved))).tolist()
+    return cast("list[float]", (moved / length ** np.arange(len(moved))).tolist())

@@ -9,7 +9,7 @@ and elsewhere, where waves are not much shorter than the load, by Gauss's rule.
 """
 
 from itertools import combinations_with_replacement, pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.polynomial import polynomial
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from vibcli.analyses.continuous.exact_transfer import ExactTransfer
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.loads import LoadStretch
     from vibcli.numerics.pieces.piece import Piece
 
 TINY = 1e-12        # of a length
@@ -43,7 +44,7 @@ class OnPiece(NamedTuple):
 class UnitLoadsOfChannels:
     """Unit loads on channels of an ExactTransfer, and unit displacements of its driven ends."""
 
-    def __init__(self, transfer: "ExactTransfer"):
+    def __init__(self, transfer: "ExactTransfer") -> None:
         self.pieces, self.n, first = transfer.pieces, transfer.n, transfer.n + len(transfer.driven)
         self.driven = dict(enumerate(transfer.driven, transfer.n))
         self.spread = dict(enumerate(transfer.spread, first))
@@ -107,10 +108,10 @@ def held_overlap(piece: "Piece", kappa: np.ndarray, first: LoadForm, second: Loa
         D[:, at[:, None], at] += stiffness(part, kappa)[:, ends[:, None], ends]
         for side, form in enumerate(cut):
             loads[side][:, at] += end_loads(part, kappa, form)[:, ends]
-    return found + (loads[0] * np.linalg.solve(D, loads[1][..., None])[..., 0]).sum(axis=1)
+    return cast("np.ndarray", found + (loads[0] * np.linalg.solve(D, loads[1][..., None])[..., 0]).sum(axis=1))
 
 
-def _edges(piece, forms):
+def _edges(piece: "Piece", forms: tuple[LoadForm, LoadForm]) -> list[float]:
     """The ends of a piece, and where stretches begin or end between them."""
     found = [0.0]
     for x in sorted({float(x) for form in forms for one in form.stretches for x in (one.start, one.end)}):
@@ -119,7 +120,7 @@ def _edges(piece, forms):
     return [*found, float(piece.length)]
 
 
-def _on_stretch(piece, kappa, first, second):
+def _on_stretch(piece: "Piece", kappa: np.ndarray, first: LoadForm, second: LoadForm) -> np.ndarray:
     """The same where both have one stretch, or none."""
     found = 0 * kappa
     if not first.stretches or not second.stretches:
@@ -131,21 +132,22 @@ def _on_stretch(piece, kappa, first, second):
     return found
 
 
-def _is_polynomial(form):
+def _is_polynomial(form: LoadForm) -> bool:
     return not any(term.exponent for one in form.stretches for term in one.terms)
 
 
-def _are_far(piece, kappa, form):
+def _are_far(piece: "Piece", kappa: np.ndarray, form: LoadForm) -> np.ndarray:
     """Is κ far above all else in P at all of its stretches? Where the tension varies w is known of polynomials, for
     which it need not be as far."""
     if not piece.gradient:
-        return np.all([one.is_far(piece, kappa) for one in form.stretches], axis=0)
+        return np.asarray(np.all([one.is_far(piece, kappa) for one in form.stretches], axis=0))
     most = max(abs(piece.tension), abs(piece.tension + piece.gradient * piece.length))
     even = piece._replace(tension=most, gradient=0.0)
-    return np.all([one.is_far(even, NEARER * kappa) for one in form.stretches], axis=0) & _is_polynomial(form)
+    far = np.all([one.is_far(even, NEARER * kappa) for one in form.stretches], axis=0)
+    return np.asarray(far & _is_polynomial(form))
 
 
-def _of_polynomial(piece, kappa, one, x):
+def _of_polynomial(piece: "Piece", kappa: np.ndarray, one: "LoadStretch", x: np.ndarray) -> np.ndarray:
     """w, w′ of a polynomial p, (2, …): w = (1 − L/κ + L²/κ² …) p/κ with L w = B w⁗ − ((N + n x) w′)′, which lowers its
     degree."""
     powers = np.zeros(1)
@@ -162,7 +164,7 @@ def _of_polynomial(piece, kappa, one, x):
     return w
 
 
-def _rule(piece, kappa, forms):
+def _rule(piece: "Piece", kappa: np.ndarray, forms: tuple[LoadForm, LoadForm]) -> tuple[np.ndarray, np.ndarray]:
     """Places, weights and the first load at these."""
     numbers = arithmetic_of(0.0)
     y, weights = panel_rule(piece, kappa, sum(max(one.pace for one in form.stretches) for form in forms), numbers)
@@ -170,16 +172,16 @@ def _rule(piece, kappa, forms):
     return x, piece.length * weights * sum(one.at(x, numbers) for one in forms[0].stretches)
 
 
-def _by_ends(piece, kappa, first, second):
+def _by_ends(piece: "Piece", kappa: np.ndarray, first: LoadForm, second: LoadForm) -> np.ndarray:
     x, loads = _rule(piece, np.zeros(1), (first, second))
     half, ends = piece.order // 2, np.array([0.0, piece.length])
     bent = _of_polynomial if piece.gradient else particular
     inside, w = (np.sum([bent(piece, kappa[:, None], one, at) for one in second.stretches], axis=0)
                  for at in (x, ends))
     moved = np.moveaxis(w[:half], 0, -1).reshape(len(kappa), piece.order)
-    return (inside[0] * loads).sum(axis=-1) - (end_loads(piece, kappa, first) * moved).sum(axis=-1)
+    return cast("np.ndarray", (inside[0] * loads).sum(axis=-1) - (end_loads(piece, kappa, first) * moved).sum(axis=-1))
 
 
-def _by_places(piece, kappa, first, second):
+def _by_places(piece: "Piece", kappa: np.ndarray, first: LoadForm, second: LoadForm) -> Any:
     x, loads = _rule(piece, kappa, (first, second))
     return sum(load * loaded_fields(piece, kappa, second, place)[..., 0] for place, load in zip(x, loads, strict=True))

@@ -57,12 +57,12 @@ def edges_of(given: "Forcing", length: float) -> "list[tuple[Segment, float, flo
             if low < min(high, length)]
 
 
-def _along(segment, x):
+def _along(segment: "Segment", x: float) -> np.ndarray:
     """u, u′ and u″."""
     return sum((derivatives(wave, x - segment.start, 3)[0] for wave in segment.waves if not wave.channel), np.zeros(3))
 
 
-def _squares(given, length):
+def _squares(given: "Forcing", length: float) -> np.ndarray:
     """∫ u² dx, ∫ u′² dx, ∫ u″² dx and ∫ x u′² dx."""
     found = np.zeros(4)
     for segment, low, high in edges_of(given, length):

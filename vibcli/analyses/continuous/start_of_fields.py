@@ -26,9 +26,11 @@ from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from vibcli.analyses.continuous.mode_basis import ModeBasis
     from vibcli.analyses.continuous.spread_drives import SpreadDrive
     from vibcli.analyses.continuous.uncounted_modes import UncountedModes
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
 
 ROUNDING = 1e-12    # of a displacement or a force: what is none
 NOISE = 2.0**-51    # of what a start is added from
@@ -125,14 +127,15 @@ def start_of_field(uncounted: "UncountedModes", given: "Sequence[Forcing | None]
                       np.abs(inputs) @ rounded + np.abs(pointed) + norm)
 
 
-def _loose(piece):
+def _loose(piece: "Piece") -> np.ndarray:
     """Which ends have no tension, so that nothing holds them to a node, (order,)."""
     if piece.order != 2 or not piece.gradient:
         return np.zeros(piece.order, bool)
     return np.array([is_slack(piece), is_slack(mirrored(piece))])
 
 
-def _stretches(placed, number, forcing, nodes):
+def _stretches(placed: "PlacedPiece", number: int, forcing: Forcing | None,
+               nodes: StartOfNodes) -> tuple[list[_Stretch], StartOfNodes]:
     """The _Stretches of a piece, and the StartOfNodes with those at corners."""
     if forcing is None:
         return [_Stretch(number, 0.0, placed, None, None, None, None)], nodes
@@ -152,13 +155,15 @@ def _stretches(placed, number, forcing, nodes):
     return found, nodes
 
 
-def _along(segment, x):
+def _along(segment: Segment, x: float) -> tuple[np.ndarray, np.ndarray]:
     """u … u‴ of a field, and the sizes that they are rounded from."""
     parts = [derivatives(wave, x, 4) for wave in segment.waves]
-    return tuple(sum((part[side] for part in parts), np.zeros(4)) for side in range(2))
+    found, sizes = (sum((part[side] for part in parts), np.zeros(4)) for side in range(2))
+    return found, sizes
 
 
-def _at_ends(piece, left, right):
+def _at_ends(piece: "Piece", left: tuple[np.ndarray, np.ndarray],
+             right: tuple[np.ndarray, np.ndarray]) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """End values, their sizes, the forces that the ends need, and theirs."""
     half, found = piece.order // 2, []
     for side in range(2):
@@ -168,7 +173,7 @@ def _at_ends(piece, left, right):
     return found[0], found[2], found[1], found[3]
 
 
-def _forces(piece, u, x, sign, as_size):
+def _forces(piece: "Piece", u: np.ndarray, x: float, sign: float, as_size: bool) -> np.ndarray:
     """Of an end, from u … u‴; or what they are rounded from."""
     tension, back, sign = piece.tension + piece.gradient * x, 1.0 if as_size else -1.0, 1.0 if as_size else sign
     across = (abs(tension) if as_size else tension) * u[1]
@@ -177,14 +182,15 @@ def _forces(piece, u, x, sign, as_size):
     return sign * np.array([across + back * piece.bending * u[3], piece.bending * u[2]])
 
 
-def _outer(stretches, k, end):
+def _outer(stretches: "Sequence[_Stretch]", k: int, end: float) -> bool:
     """Is an end of a _Stretch one of the whole piece?"""
     half = stretches[k].placed.piece.order // 2
     beside = k - 1 if end < half else k + 1
     return not 0 <= beside < len(stretches) or stretches[beside].number != stretches[k].number
 
 
-def _pointed(uncounted, stretches, forces, ends):
+def _pointed(uncounted: "UncountedModes", stretches: "Sequence[_Stretch]", forces: np.ndarray,
+             ends: "Mapping[tuple[int, int], float]") -> tuple[np.ndarray, np.ndarray]:
     """√(Σ b²/ω²ᵖ) of forces on nodes at corners and of dislocations, at each of POWERS, and b of the first modes."""
     n, basis, begins, first = len(uncounted.K), uncounted.basis, 0.0, np.zeros(len(uncounted.basis.squares))
     if not forces.any() and not ends:
@@ -206,7 +212,7 @@ def _pointed(uncounted, stretches, forces, ends):
     return np.sqrt([uncounted.sums(R, p, begins)[0, 0] for p in POWERS]), first
 
 
-def _force(basis, one, x, at, right):
+def _force(basis: "ModeBasis", one: _Stretch, x: float, at: int, right: bool) -> Any:
     """What an end needs in each mode."""
     piece, sign = one.placed.piece, 1.0 if right else -1.0
     tension = piece.tension + (piece.gradient * piece.length if right else 0.0)
@@ -216,7 +222,8 @@ def _force(basis, one, x, at, right):
     return sign * (force - piece.bending * basis.field(one.number, x, 3) if piece.order == 4 else force)
 
 
-def _spread(uncounted, given, let_go):
+def _spread(uncounted: "UncountedModes", given: "Sequence[Forcing | None]",
+            let_go: "Sequence[Any]") -> tuple[np.ndarray, np.ndarray, float]:
     """√(Σ (∫ φ L u dx)²/ω²ᵖ), at each of POWERS, ∫ φ L u dx of the first modes, and the most that it can be."""
     total, known = 0.0, np.zeros(len(uncounted.basis.squares))
     for number, (placed, forcing) in enumerate(zip(uncounted.pieces, given, strict=True)):
@@ -231,7 +238,7 @@ def _spread(uncounted, given, let_go):
     return left, known, np.sqrt(total)
 
 
-def _answered(piece, segment):
+def _answered(piece: "Piece", segment: Segment) -> list[Wave]:
     """Waves of L u."""
     u = _together(segment.waves)
     slope = _slope(u)
@@ -241,7 +248,7 @@ def _answered(piece, segment):
     return found + [wave._replace(power=wave.power + 1) for wave in _scaled(bent, -piece.gradient)]
 
 
-def _together(waves):
+def _together(waves: tuple[Wave, ...]) -> list[Wave]:
     """Those of the same form as one."""
     found: dict[Any, complex] = {}
     for _, coefficient, power, exponent in waves:
@@ -249,7 +256,7 @@ def _together(waves):
     return [Wave(0, coefficient, *form) for form, coefficient in found.items() if coefficient]
 
 
-def _slope(waves):
+def _slope(waves: "Sequence[Wave]") -> list[Wave]:
     found = [wave._replace(coefficient=wave.coefficient * wave.exponent) for wave in waves if wave.exponent]
     return found + [wave._replace(coefficient=wave.coefficient * wave.power, power=wave.power - 1)
                     for wave in waves if wave.power]

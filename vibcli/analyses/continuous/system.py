@@ -8,8 +8,8 @@ are left out.
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -19,6 +19,8 @@ from vibcli.analyses.continuous.short_pieces import relative_coordinates
 from vibcli.numerics.sparse_elimination import Elimination, Pattern, product
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.mechanics.factored_system import PlacedPiece
 
 
@@ -28,9 +30,9 @@ class Matrix:
     __slots__ = ("entries", "magnitudes")
 
     def __init__(self, terms: Iterable[tuple[Any, Mapping[int, Any]]], extra: Mapping[tuple[int, int], Any],
-                 sizes: Mapping[tuple[int, int], Any] | None = None):
-        self.entries: dict = defaultdict(int)
-        self.magnitudes: dict = defaultdict(int)
+                 sizes: Mapping[tuple[int, int], Any] | None = None) -> None:
+        self.entries: dict[tuple[int, int], Any] = defaultdict(int)
+        self.magnitudes: dict[tuple[int, int], Any] = defaultdict(int)
         for weight, row in terms:
             for i, x in row.items():
                 for j, y in row.items():
@@ -66,7 +68,7 @@ class ContinuousSystem:
     """
 
     def __init__(self, n: int, stiffness: Matrix, inertia: Matrix, turning: Mapping[tuple[int, int], Any],
-                 pieces: "Sequence[PlacedPiece]", digits: int | None = None, plain: bool = False):
+                 pieces: "Sequence[PlacedPiece]", digits: int | None = None, plain: bool = False) -> None:
         self.n, self.turning, self.digits, self._plain = n, turning, digits, plain
         self._given = stiffness, inertia, tuple(pieces)
         near = None if plain or digits is not None or any(turning.values()) else relative_coordinates(pieces)
@@ -93,7 +95,7 @@ class ContinuousSystem:
         self._turning = self._columns({(i, j): x for (i, j), x in turning.items() if i < j}) if any(
             turning.values()) else None
 
-    def _columns(self, entries):
+    def _columns(self, entries: "dict[Any, Any] | Mapping[tuple[int, int], float | mpmath.mpf]") -> np.ndarray:
         out = np.zeros((self.pattern.size, 1), float if self.digits is None else object)
         for (i, j), x in entries.items():
             out[self.pattern.places[i, j], 0] = x if self.digits else float(x)
@@ -125,9 +127,9 @@ class ContinuousSystem:
             slope = slope - 0.5j * self._turning / np.where(omega == 0, omega + 1, omega)
         return found, sizes, slope
 
-    def _root(self, z):
+    def _root(self, z: np.ndarray) -> np.ndarray:
         if self.digits is None:
-            return np.sqrt(z)
+            return cast("np.ndarray", np.sqrt(z))
         from mpmath import mp
 
         return np.array([mp.sqrt(x) for x in z], object)
@@ -183,7 +185,7 @@ class ContinuousSystem:
 
 def continuous_system(elements: Any, digits: int | None = None) -> ContinuousSystem:
     """The ContinuousSystem of a FactoredSystem, without its dampers; its numbers are taken as they are."""
-    springs: list = [*elements.springs]
+    springs: list[Any] = [*elements.springs]
     for placed in elements.pieces:
         if not placed.piece.inertia:
             springs += placed.springs
@@ -192,7 +194,7 @@ def continuous_system(elements: Any, digits: int | None = None) -> ContinuousSys
                             [placed for placed in elements.pieces if placed.piece.inertia], digits)
 
 
-def _scale(system):
+def _scale(system: ContinuousSystem) -> "float | mpmath.mpf":
     """A z that is natural to the system: that of its slowest piece or coordinate by itself."""
     found = []
     for placed in system.pieces:
@@ -207,11 +209,12 @@ def _scale(system):
     return system.number(min(found, default=1.0))
 
 
-def _touched(placed):
+def _touched(placed: "PlacedPiece") -> set[int]:
     return {i for row in placed.rows for i, x in row.items() if x}
 
 
-def _alike(pieces, short):
+def _alike(pieces: "tuple[PlacedPiece, ...]",
+           short: "Collection[int]") -> list[list[int]]:
     """The numbers of pieces that one formula serves, together."""
     groups = defaultdict(list)
     for number, placed in enumerate(pieces):
@@ -220,7 +223,8 @@ def _alike(pieces, short):
     return list(groups.values())
 
 
-def _divided(placed, part, n, number):
+def _divided(placed: "PlacedPiece", part: "float | mpmath.mpf", n: int,
+             number: Callable[[Any], Any]) -> "list[PlacedPiece]":
     """A piece in two with a free node between, whose coordinates are n, of beams n and n + 1."""
     half = placed.piece.order // 2
     left, right = divided(placed.piece, part)

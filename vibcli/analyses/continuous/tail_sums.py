@@ -8,6 +8,7 @@ below Ω; above, R falls at least like σ^(2pₒ−4), pₒ being the power at w
 """
 
 from math import gamma
+from typing import cast
 
 import numpy as np
 
@@ -27,7 +28,7 @@ def without_first(total: np.ndarray, sigma: np.ndarray, squares: np.ndarray, fir
     weight = squares + sigma[:, None] ** 2      # (σ, modes), as large as all else together
     np.divide(1, np.square(weight, out=weight), out=weight)
     known = np.einsum("sn,ni,nj->sij", weight, first, first, optimize=True)
-    found = total * (1 + ROUNDING) - known
+    found: np.ndarray = total * (1 + ROUNDING) - known
     own = range(total.shape[-1])
     found[:, own, own] = np.maximum(found[:, own, own], ROUNDING * total[:, own, own])
     return found
@@ -39,7 +40,7 @@ def tail_sum(R: np.ndarray, sigma: np.ndarray, highest: float, power: float, beg
     if power <= begins + CLOSE:
         return np.full(R.shape[1:], np.inf)
     if power >= 2:
-        return below * R[0] * highest ** (4 - 2 * power)
+        return cast("np.ndarray", below * R[0] * highest ** (4 - 2 * power))
     a = 4 - 2 * power
     edges = sigma**a / a
     weights = np.append(np.diff(edges), SAFE * sigma[-1] ** a / (2 * (power - begins)))

@@ -12,7 +12,8 @@ import numpy as np
 from vibcli.analyses.continuous.travelling_waves_curves import EVEN, LEVELS, SAME, Loads, PiecewiseSeries
 from vibcli.analyses.continuous.travelling_waves_fields import straight
 from vibcli.analyses.continuous.travelling_waves_loads import LoadAlong
-from vibcli.analyses.continuous.travelling_waves_march import WaveMarch, WavePiece
+from vibcli.analyses.continuous.travelling_waves_march import WaveMarch
+from vibcli.analyses.continuous.travelling_waves_piece import WavePiece
 from vibcli.analyses.continuous.travelling_waves_station import EPSILON, WaveEnd, WaveStation
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
@@ -42,7 +43,7 @@ def wave_motion(M: np.ndarray, C: np.ndarray, K: np.ndarray, pieces: Sequence[Wa
     return WaveMotion(march, forcing, work)
 
 
-def _straight(piece, q0):
+def _straight(piece: WavePiece, q0: np.ndarray) -> "Forcing":
     left, right = (sum(x * q0[i] for i, x in row.items()) for row, _ in (piece.left, piece.right))
     return straight(left, right, piece.length)
 
@@ -50,7 +51,7 @@ def _straight(piece, q0):
 class WaveMotion:
     """The motion of what waves travel through, read by LinearOutputs; forcing: that whose channels these read."""
 
-    def __init__(self, march: WaveMarch, forcing: "Forcing", work: Work):
+    def __init__(self, march: WaveMarch, forcing: "Forcing", work: Work) -> None:
         self.march, self.pieces, self.forcing, self.work = march, march.pieces, forcing, work
 
     def under(self, forcing: "Forcing") -> "WaveMotion":
@@ -67,7 +68,7 @@ class WaveMotion:
             found += factor * curve.at(t - delay, level, SAME * np.maximum(t, self._slack), before)
         return (found + self._direct(output, t, order, before)).reshape(times.shape)
 
-    def _direct(self, output, t, order, before):
+    def _direct(self, output: "LinearOutput", t: np.ndarray, order: int, before: bool) -> float | np.ndarray:
         """What loads add of themselves."""
         if not output.channels:
             return 0.0
@@ -82,7 +83,7 @@ class WaveMotion:
         return found
 
     @property
-    def _slack(self):
+    def _slack(self) -> float:
         return SAME * float(min(self.march.delays, default=0.0))
 
     def errors(self, output: "LinearOutput", times: np.ndarray, order: int = 0) -> np.ndarray:
@@ -141,7 +142,7 @@ class WaveMotion:
                                "leaps there", "let a blow on what has no mass last for a while, or give it a mass; "
                                "values between the fronts are found")
 
-    def _terms(self, output, order) -> Iterable[tuple[float, PiecewiseSeries, int, float]]:
+    def _terms(self, output: "LinearOutput", order: int) -> Iterable[tuple[float, PiecewiseSeries, int, float]]:
         """(factor, curve, which of its rates, how much later) of all in an output."""
         for rates, factors in enumerate((output.q, output.v, output.a)):
             for i, factor in factors.items():
@@ -156,16 +157,17 @@ class WaveMotion:
                 yield scale * sign, curve, level, 0.0
 
 
-def _end(pieces, number):
+def _end(pieces: Sequence[WavePiece], number: int) -> tuple[dict[int, float], int | None]:
     """(row, channel) of an end."""
     return (pieces[number // 2].left, pieces[number // 2].right)[number % 2]
 
 
-def _groups(n, matrices, pieces):
+def _groups(n: int, matrices: tuple[np.ndarray, np.ndarray, np.ndarray],
+            pieces: Sequence[WavePiece]) -> list[list[int]]:
     """Lists of coordinates that hang together: by matrices, or as they move one end."""
     root = list(range(n))
 
-    def find(i):
+    def find(i: int) -> int:
         while root[i] != i:
             i = root[i]
         return i
@@ -182,17 +184,19 @@ def _groups(n, matrices, pieces):
     return list(groups.values())
 
 
-def _station(group, matrices, pieces, q0, v0):
+def _station(group: list[int], matrices: tuple[np.ndarray, np.ndarray, np.ndarray], pieces: Sequence[WavePiece],
+             q0: np.ndarray, v0: np.ndarray) -> WaveStation:
     ends = []
     for number in range(2 * len(pieces)):
         row, drive = _end(pieces, number)
         if row and next(iter(row)) in group:
             ends.append(WaveEnd(number, np.array([float(row.get(i, 0.0)) for i in group]),
                                 pieces[number // 2].impedance, drive))
-    return WaveStation(group, *(matrix[np.ix_(group, group)] for matrix in matrices), ends, q0[group], v0[group])
+    M, C, K = (matrix[np.ix_(group, group)] for matrix in matrices)
+    return WaveStation(group, M, C, K, ends, q0[group], v0[group])
 
 
-def _held(number, pieces):
+def _held(number: int, pieces: Sequence[WavePiece]) -> WaveStation:
     """The station of an end that nothing moves but its drive."""
     none, nothing = np.zeros((0, 0)), np.zeros(0)
     end = WaveEnd(number, nothing, pieces[number // 2].impedance, _end(pieces, number)[1])

@@ -1,15 +1,16 @@
 """Functions of the time that jump or bend at fronts and are smooth between: Chebyshev series, stretch by stretch."""
 
 from bisect import bisect_right
+from collections.abc import Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from vibcli.numerics.chebyshev import POINTS, RATE, TO_SERIES, WIDTH, N, summed
 
 if TYPE_CHECKING:
-    from vibcli.analyses.excitation.forcing import Segment
+    from vibcli.analyses.excitation.forcing import Segment, Wave
 
 LEVELS = 3          # a function, its rate, the rate of that
 EVEN = 8 * 2.0**-52 # of the largest rate: how far a rate that is constant may stray
@@ -24,7 +25,7 @@ class PiecewiseSeries:
 
     __slots__ = ("_lengths", "_series", "_starts", "count", "exact", "leaps", "scale")
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.count, self.scale, self.exact, self.leaps = 0, np.zeros(LEVELS), [], []
         self._starts, self._lengths, self._series = np.empty(16), np.empty(16), np.empty((16, LEVELS, WIDTH))
 
@@ -78,7 +79,7 @@ class PiecewiseSeries:
         """How often the rounding of a number the values may be off: that of each stretch so far adds to it, and each
         differentiation of a series multiplies it."""
         count = np.maximum(np.searchsorted(self.starts, times, "right"), 1)
-        found = (16 + 4 * count) * self.scale[min(level, LEVELS - 1)]
+        found: np.ndarray = (16 + 4 * count) * self.scale[min(level, LEVELS - 1)]
         if level >= LEVELS - 1:
             found = found + (16 + 4 * count) * self.scale[1] * (N * N / self._lengths[count - 1])**(level - 1)
         return found
@@ -88,7 +89,7 @@ class PiecewiseSeries:
         first = max(bisect_right(self.exact, start, key=lambda part: part[0]) - 1, 0)
         nearest = min(range(first, min(first + 2, self.count)), key=lambda k: abs(self.exact[k][0] - start))
         if max(abs(float(x - y)) for x, y in zip(self.exact[nearest], (start, length), strict=True)) < SAME * length:
-            return self._series[nearest].copy()
+            return cast("np.ndarray", self._series[nearest].copy())
         values, points = np.empty((LEVELS, N)), float(length) / 2 * (1 + POINTS)
         while first < self.count:
             begin, lasts = self.exact[first]
@@ -116,7 +117,7 @@ class Loads:
 
     __slots__ = ("channels", "pieces", "starts")
 
-    def __init__(self, channels: int, pieces: "list[Segment]"):
+    def __init__(self, channels: int, pieces: "list[Segment]") -> None:
         self.channels, self.pieces = channels, pieces
         self.starts = np.array([piece.start for piece in pieces] or [0.0])
 
@@ -146,7 +147,7 @@ class Loads:
         return {wave.channel for wave in self.pieces[number].waves} if self.pieces else set()
 
 
-def _in_powers(waves, found, tau, order):
+def _in_powers(waves: "tuple[Wave, ...]", found: np.ndarray, tau: np.ndarray, order: int) -> np.ndarray:
     """The same while no wave has turned far, in powers of the time, of which those that cancel leave nothing."""
     sums = {wave.channel: np.zeros(MOST_POWERS) for wave in waves}
     for wave in waves:
@@ -159,7 +160,7 @@ def _in_powers(waves, found, tau, order):
     return found
 
 
-def _differentiated(terms, exponent):
+def _differentiated(terms: Mapping[int, complex], exponent: complex) -> dict[int, complex]:
     found: dict[int, complex] = {}
     for power, factor in terms.items():
         found[power] = found.get(power, 0.0) + factor * exponent

@@ -49,7 +49,8 @@ def starting_waves(field: Forcing, length: float, delay: Fraction,
     return left, right, leaps
 
 
-def _resolved(loads, number, a, b, length, task):
+def _resolved(loads: Loads, number: int, a: float, b: float, length: float,
+              task: "Task") -> list[tuple[Fraction, Fraction]]:
     """The stretches of [a, b], ascending and exact, on which series tell the fields."""
     found, left = [], [(Fraction(a), Fraction(b))]
     while left:
@@ -70,7 +71,8 @@ def is_resolved(series: np.ndarray, scale: float = 0.0) -> bool:
     return bool(size[-3:].max() <= RESOLVED * max(scale, size.max()))
 
 
-def _pair(loads, number, start, end, speed, total):
+def _pair(loads: Loads, number: int, start: Fraction, end: Fraction, speed: float,
+          total: float) -> tuple[tuple[np.ndarray, np.ndarray], float]:
     """((series of f, series of g) of one stretch, each over its own time; ∫ u̇ up to its end)."""
     half = float(end - start) / 2
     x = half * (1 + POINTS)

@@ -9,10 +9,10 @@ g jumps or bends on the way: nothing is divided by what vanishes at resonance or
 """
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import ceil, inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from vibcli.numerics.pieces.panels import POINTS as RULE
 from vibcli.numerics.pieces.panels import SPAN, plain_rule
 
 if TYPE_CHECKING:
-    from vibcli.analyses.continuous.travelling_waves_march import WavePiece
+    from vibcli.analyses.continuous.travelling_waves_piece import WavePiece
     from vibcli.base.work import Task
     from vibcli.numerics.pieces.loads import LoadForm, LoadStretch
 
@@ -58,9 +58,9 @@ class Upstream(NamedTuple):
 class LoadInTime:
     """One channel g of the loads as Loads, and what is known of its pieces."""
 
-    def __init__(self, loads: Loads, channel: int):
+    def __init__(self, loads: Loads, channel: int) -> None:
         found: list[Segment] = []
-        held: tuple | None = None       # what the last piece holds, where that is the same all the time
+        held: tuple[Any, ...] | None = None       # what the last piece holds, where that is the same all the time
         for piece in loads.pieces:
             waves = tuple(one._replace(channel=0) for one in piece.waves if one.channel == channel)
             impulses = tuple(one for one in piece.impulses if one[0] == channel)
@@ -77,7 +77,7 @@ class LoadInTime:
             self._blows[number] = self._blow(number)
         return self._blows[number]
 
-    def _blow(self, number):
+    def _blow(self, number: int) -> tuple[float, float]:
         here = Fraction(float(self.starts[number])), np.zeros(1)
         after = self.loads.at(number, *here)[0, 0]
         before = self.loads.at(number - 1, *here)[0, 0] if number else 0.0
@@ -87,8 +87,8 @@ class LoadInTime:
     def weighted(self, number: int, tau: np.ndarray, weights: np.ndarray) -> np.ndarray:
         """(g, g′) of a piece at times since it began, (2, …), times weights."""
         start, flat = Fraction(float(self.starts[number])), tau.ravel()
-        return weights * np.array([self.loads.at(number, start, flat, order)[0] for order in range(2)]).reshape(
-            2, *tau.shape)
+        found = np.array([self.loads.at(number, start, flat, order)[0] for order in range(2)])
+        return np.asarray(weights * found.reshape(2, *tau.shape))
 
     def whole(self, number: int, pace: float) -> tuple[np.ndarray, np.ndarray]:
         """(times since a piece began, g, g′ times weights) of Gauss's rule over all of it, (3, panels · points), and
@@ -121,7 +121,7 @@ class GatheredWave:
 
     __slots__ = ("_breaks", "_inertia", "_pace", "_parts", "_speed", "_times", "_told", "_x", "curve", "now")
 
-    def __init__(self, piece: "WavePiece", delay: Fraction, x: float, way: int, loads: Sequence[LoadAlong]):
+    def __init__(self, piece: "WavePiece", delay: Fraction, x: float, way: int, loads: Sequence[LoadAlong]) -> None:
         self._speed, self._x, self._inertia, self._pace = way * piece.speed, x, piece.inertia, inf
         self.curve, self.now, self._breaks, self._told = PiecewiseSeries(), Fraction(0), [], -1.0
         self._parts, self._times = [], {}
@@ -166,7 +166,7 @@ class GatheredWave:
             self.curve.append(self.now, limit - self.now, levels, sizes)
             self.now = limit
 
-    def _levels(self, half):
+    def _levels(self, half: float) -> tuple[np.ndarray, np.ndarray, float]:
         """(R, R′, R″ as series on the stretch that begins now, the sizes of what they are summed of, how many panels
         that took)."""
         found, sizes, count = np.zeros((2, N)), np.zeros(LEVELS), 0
@@ -182,7 +182,7 @@ class GatheredWave:
         sizes[0] = 2 * half * sizes[1]
         return levels, np.maximum(sizes, self.curve.scale), count / RULE
 
-    def _shares(self, part, g, half):
+    def _shares(self, part: Upstream, g: LoadInTime, half: float) -> Iterator[tuple[Any, Any, int]]:
         """What a part adds of each piece of g: ((2, N) to R′ and R″, their sizes, how many nodes that took)."""
         later, near, far = half * (1 + POINTS), float(part.near), float(part.far)
         early = float(self.now)
@@ -214,7 +214,7 @@ class GatheredWave:
             f = self._f(part.stretch, later[:, None] - tau)
             yield np.array([f @ rate for rate in rates]), part.sizes[0] * sum(sizes), len(tau)
 
-    def _blow(self, part, sigma, impulse, leap):
+    def _blow(self, part: Upstream, sigma: np.ndarray, impulse: float, leap: float) -> tuple[Any, Any, int]:
         if not impulse and not leap:
             return 0.0, 0.0, 0
         f, slope = self._f(part.stretch, sigma), self._speed * self._f(part.stretch.slope, sigma)
@@ -222,11 +222,11 @@ class GatheredWave:
                  abs(leap) * part.sizes[0] + abs(impulse * self._speed) * part.sizes[1]]
         return np.array([impulse * f, leap * f - impulse * slope]), sizes, 0
 
-    def _f(self, stretch, sigma):
-        return stretch.at(self._x - self._speed * sigma, PLAIN)
+    def _f(self, stretch: Any, sigma: np.ndarray) -> np.ndarray:
+        return cast("np.ndarray", stretch.at(self._x - self._speed * sigma, PLAIN))
 
 
-def _panels(pace, length):
+def _panels(pace: float, length: float) -> tuple[np.ndarray, np.ndarray]:
     """(places, weights) of Gauss's rule on 0 … 1, on as many panels as what changes so fast over a length takes."""
     count, (at, weights) = max(1, ceil(pace * length / (2 * SPAN))), plain_rule()
     places = (np.arange(count)[:, None] + (1 + at) / 2) / count

@@ -8,55 +8,25 @@ from collections.abc import Sequence
 from fractions import Fraction
 from heapq import heapify, heappop, heappush
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from vibcli.analyses.continuous.travelling_waves_curves import LEVELS, SAME, Loads, PiecewiseSeries, series_of
 from vibcli.analyses.continuous.travelling_waves_fields import starting_waves
 from vibcli.analyses.continuous.travelling_waves_loads import GatheredWave, LoadAlong, LoadInTime
+from vibcli.analyses.continuous.travelling_waves_piece import WavePiece
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves, WaveStation
-from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.chebyshev import POINTS, WIDTH, N
 
 if TYPE_CHECKING:
+    from vibcli.analyses.continuous.travelling_waves_station import Stretch, WaveEnd
     from vibcli.analyses.excitation.forcing import Forcing
-    from vibcli.base.work import Work
+    from vibcli.base.errors import PhysicsError
+    from vibcli.base.work import Task, Work
 
 MOST = 6_000       # stretches of time of all stations
 FINEST = 1e-10      # of the time, and of the shortest delay: the shortest stretch
-
-
-class WavePiece(NamedTuple):
-    """A uniform piece of a bar, shaft or string: N u″ = μ ü over its length. left, right: ({coordinate: slope}, channel
-    of the loads that moves the end beside these or None)."""
-
-    length: float
-    tension: float
-    inertia: float
-    left: tuple[dict, int | None]
-    right: tuple[dict, int | None]
-
-    @property
-    def speed(self) -> float:
-        return (self.tension / self.inertia) ** 0.5
-
-    @property
-    def impedance(self) -> float:
-        return (self.tension * self.inertia) ** 0.5
-
-
-def wave_piece(placed: Any, left: tuple[dict, int | None], right: tuple[dict, int | None]) -> WavePiece:
-    """The WavePiece of a PlacedPiece between two ends; NotByWaves where waves change their form along it."""
-    length, bending, tension, gradient, inertia, drag, foundation = map(float, placed.piece)
-    reasons = (("beams disperse their waves", bending), ("its tension varies along it", gradient),
-               ("drag damps its waves on their way", drag), ("its foundation disperses its waves", foundation))
-    for reason, coefficient in reasons:
-        if coefficient:
-            raise NotByWaves(f"'{placed.owner}' is not followed by travelling waves: {reason}")
-    if not inertia > 0 or not tension > 0:
-        raise NotByWaves(f"no waves travel along '{placed.owner}'")
-    return WavePiece(length, tension, inertia, left, right)
 
 
 class WaveMarch:
@@ -64,14 +34,14 @@ class WaveMarch:
     least. loads: those along each piece."""
 
     def __init__(self, pieces: Sequence[WavePiece], stations: Sequence[WaveStation], fields: "Sequence[Forcing]",
-                 forcing: "Forcing", n: int, work: "Work", loads: Sequence[Sequence[LoadAlong]]):
+                 forcing: "Forcing", n: int, work: "Work", loads: Sequence[Sequence[LoadAlong]]) -> None:
         self.pieces, self.stations, self.forcing, self.work = pieces, stations, forcing, work
         self.delays = [Fraction(piece.length / piece.speed) for piece in pieces]
         self._shortest = float(min(self.delays, default=0))
         self.coordinates, self.leaving = [PiecewiseSeries() for _ in range(n)], []
         self.home = {end.number: k for k, station in enumerate(stations) for end in station.ends}
         self.now, self.known = [Fraction(0)] * len(stations), 0.0
-        self._events: list[list[tuple]] = [[(Fraction(0), -1, 0.0)] for _ in stations]
+        self._events: list[list[tuple[Fraction, int, Any]]] = [[(Fraction(0), -1, 0.0)] for _ in stations]
         self._pace = [inf] * len(stations)
         self._loads, self._load_until = Loads(forcing.channels, []), -1.0
         self._told, self._spread = -1.0, loads
@@ -105,7 +75,7 @@ class WaveMarch:
                 heappush(heap, (self.now[k], k))
         self.known = float(end)
 
-    def _refusal(self, task):
+    def _refusal(self, task: "Task") -> "PhysicsError":
         return _too_many(task.limit, self.work.patience)
 
     def require_few(self, end: float, most: int = MOST) -> None:
@@ -127,7 +97,7 @@ class WaveMarch:
             for delay, other in ways[k]:
                 heappush(coming, (t + delay, other))
 
-    def _tell_loads(self, until):
+    def _tell_loads(self, until: float) -> None:
         """Announce where the loads jump or bend up to an instant."""
         if until <= self._told:
             return
@@ -158,27 +128,27 @@ class WaveMarch:
                 wave.reach(Fraction(self.known), task)
             return [wave.curve for wave in found]
 
-    def _gathering(self, piece, x, way):
+    def _gathering(self, piece: int, x: float, way: int) -> GatheredWave:
         key = piece, x, way
         if key not in self._gathered:
             self._gathered[key] = GatheredWave(self.pieces[piece], self.delays[piece], x, way, self._spread[piece])
         return self._gathered[key]
 
-    def _channels(self, station):
+    def _channels(self, station: WaveStation) -> set[int]:
         return {*station.indices, *(end.drive for end in station.ends if end.drive is not None)}
 
-    def _announce(self, number, instant, leap):
+    def _announce(self, number: int, instant: Fraction, leap: float) -> None:
         """A front arrives at an end at an instant, over which what arrives leaps."""
         heappush(self._events[self.home[number]], (instant, number, leap))
 
-    def _tolerance(self, instant):
+    def _tolerance(self, instant: Fraction) -> float:
         return SAME * max(abs(float(instant)), self._shortest)
 
-    def _is_reached(self, instant, now):
+    def _is_reached(self, instant: Fraction, now: Fraction) -> bool:
         """Is it before this one, or next to it?"""
         return instant <= now or float(instant - now) <= self._tolerance(now)
 
-    def _advance(self, k, until, task):
+    def _advance(self, k: int, until: Fraction, task: "Task") -> None:
         """The next stretch of a station."""
         station, now, events = self.stations[k], self.now[k], self._events[k]
         if events and self._is_reached(events[0][0], now):
@@ -204,7 +174,7 @@ class WaveMarch:
             self.leaving[end.number].append(now, limit - now, series)
         self.now[k] = limit
 
-    def _stretch(self, station, now, limit, task):
+    def _stretch(self, station: WaveStation, now: Fraction, limit: Fraction, task: "Task") -> "Stretch":
         half = float(limit - now) / 2
         piece, count = self._loads.piece_at(float(now + limit) / 2), len(station.ends)
         loads = np.zeros((LEVELS, self.forcing.channels, N))
@@ -225,7 +195,7 @@ class WaveMarch:
                 driven[i] = series_of(loads[:, end.drive])
         return station.along(half, arriving, driven, loads[0][station.indices], scales, gathered)
 
-    def _front(self, k):
+    def _front(self, k: int) -> None:
         """All that reaches a station at this instant."""
         station, now, events = self.stations[k], self.now[k], self._events[k]
         arrived = dict.fromkeys((end.number for end in station.ends), 0.0)
@@ -242,7 +212,7 @@ class WaveMarch:
         for end, leap in zip(station.ends, leaps, strict=True):
             self._announce(end.number ^ 1, now + self.delays[end.number // 2], float(leap))
 
-    def _blows(self, station, now):
+    def _blows(self, station: WaveStation, now: Fraction) -> tuple[np.ndarray, np.ndarray]:
         """(impulses on the coordinates, leaps of what moves the ends) at an instant."""
         impulses, driven = np.zeros(len(station.indices)), np.zeros(len(station.ends))
         loads = self._loads
@@ -262,15 +232,15 @@ class WaveMarch:
                 driven[i] = after - before if abs(after - before) > SAME * size else 0.0
         return impulses, driven
 
-    def _shift(self, station, end):
+    def _shift(self, station: WaveStation, end: "WaveEnd") -> float:
         """How far the field at the start has moved an end beside its coordinates."""
         piece = self.pieces[end.number // 2]
         own, other = self.leaving[end.number], self.leaving[end.number ^ 1]
         u = own.at(np.array([0.0]), before=True)[0] + other.at(np.array([-piece.length / piece.speed]))[0]
-        return u - end.row @ station.q
+        return cast("float", u - end.row @ station.q)
 
 
-def _too_many(limit, patience):
+def _too_many(limit: float, patience: int) -> NotByWaves:
     return NotByWaves(f"the fronts in this scene multiply: after {limit:.0f} stretches of time between them they are "
                       "not followed further", f"ask for an earlier end, or --patience {10 * patience} follows ten "
                       "times as many")

@@ -26,7 +26,8 @@ class Stretches(NamedTuple):
     series: np.ndarray
 
 
-def stretches(values: Callable, breaks: np.ndarray, start: float, end: float, work: "Work") -> Stretches:
+def stretches(values: Callable[..., np.ndarray], breaks: np.ndarray, start: float, end: float,
+              work: "Work") -> Stretches:
     """The Stretches of values(times) from start to end, smooth between the instants `breaks`; work: counts them."""
     inside = breaks[(breaks > start + SAME * end) & (breaks < end * (1 - SAME))]
     starts = np.concatenate([[start], inside])

@@ -8,7 +8,7 @@ Of each coordinate the highest rate that stands in it (q̈; q̇ of what has no i
 found at Chebyshev points from the equation integrated twice, once or not, which keeps digits where it is stiff.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -54,8 +54,8 @@ class WaveStation:
 
     __slots__ = ("C", "K", "M", "ends", "indices", "inverse", "principal", "q", "rates", "size", "v")
 
-    def __init__(self, indices: "Sequence[int]", M: np.ndarray, C: np.ndarray, K: np.ndarray,
-                 ends: "Sequence[WaveEnd]", q: np.ndarray, v: np.ndarray):
+    def __init__(self, indices: "Sequence[int]", M: np.ndarray, C: np.ndarray, K: np.ndarray, ends: "Sequence[WaveEnd]",
+                 q: np.ndarray, v: np.ndarray) -> None:
         self.indices, self.M, self.K, self.ends = list(indices), M, K, tuple(ends)
         self.C = C + sum((end.impedance * np.outer(end.row, end.row) for end in ends), np.zeros_like(C))
         self.rates = np.where(M.any(axis=0), 2, np.where(self.C.any(axis=0), 1, 0))
@@ -63,7 +63,7 @@ class WaveStation:
         self.inverse = self._inverse()
         self.q, self.v, self.size = q.copy(), np.where(self.rates == 2, v, 0.0), np.zeros((len(q), LEVELS))
 
-    def _inverse(self):
+    def _inverse(self) -> np.ndarray:
         scale = np.abs(self.principal).max(axis=1, initial=0.0)
         if not scale.all() or (len(scale) and np.linalg.cond(self.principal / scale[:, None]) > 1e12):
             raise NotByWaves("inertia and dampers of this scene do not fix how its coordinates move, each by itself")
@@ -113,21 +113,21 @@ class WaveStation:
         self.q, self.v = stretch.coordinates[:, 0].sum(axis=1), stretch.coordinates[:, 1].sum(axis=1)
         self.size = np.maximum(self.size, np.abs(stretch.coordinates).sum(axis=2))
 
-    def _highest(self, half, load):
+    def _highest(self, half: float, load: np.ndarray) -> np.ndarray:
         """(coordinates, N): the highest rate of each at the points."""
         second, damped = self.rates == 2, self.rates > 0
         v = np.where(second, self.v, 0.0)[:, None]
         q = np.where(damped, self.q, 0.0)[:, None] + half * v * (1 + POINTS)
         load = load - self.C @ np.broadcast_to(v, load.shape) - self.K @ q
         if not len(load) or (not self.K.any() and not second.any()):
-            return self.inverse @ load
+            return cast("np.ndarray", self.inverse @ load)
         system = np.zeros((len(load), N, len(load), N))
         for j, rate in enumerate(self.rates):
             for lower, matrix in enumerate((self.K, self.C, self.M)[:rate + 1]):
                 system[:, :, j, :] += matrix[:, j, None, None] * (half**(rate - lower) * INTEGRALS[rate - lower])
         return np.linalg.solve(system.reshape(load.size, load.size), load.ravel()).reshape(load.shape)
 
-    def _levels(self, half, highest):
+    def _levels(self, half: float, highest: np.ndarray) -> np.ndarray:
         """(coordinates, LEVELS, WIDTH): the series of q, q̇, q̈."""
         found = np.zeros((len(self.q), LEVELS, WIDTH))
         for j, rate in enumerate(self.rates):
@@ -144,7 +144,7 @@ class WaveStation:
                 levels[level + 1] = levels[level] @ RATE / half
         return found
 
-    def _sizes(self, half, size):
+    def _sizes(self, half: float, size: np.ndarray) -> np.ndarray:
         """(coordinates, LEVELS): how large the terms are from which each level is found."""
         reach = np.abs(self.q) + half * np.abs(self.v)
         highest = np.abs(self.inverse) @ (size + np.abs(self.C) @ np.abs(self.v) + np.abs(self.K) @ reach)

@@ -68,7 +68,7 @@ def piece_matrices(piece: "Piece", count: int) -> tuple[np.ndarray, np.ndarray]:
     return k, (values[0] * w) @ values[0].T
 
 
-def _functions(piece, count, x) -> "list[Any]":
+def _functions(piece: "Piece", count: int, x: np.ndarray) -> "list[Any]":
     """φ, φ′ and φ″ at the points x of −1 … 1, each (functions, points)."""
     half, order = piece.length / 2, piece.order
     P = legendre.legvander(x, count + 4).T

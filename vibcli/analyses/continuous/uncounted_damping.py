@@ -41,7 +41,7 @@ class Damping(NamedTuple):
         return self.highest / max(self._double_at_most, 1.0) if creeps else self.highest
 
     @property
-    def _double_at_most(self):
+    def _double_at_most(self) -> float:
         return self.double if self.creeping is None else self.creeping * self.highest
 
     def reach(self, s: float) -> float:

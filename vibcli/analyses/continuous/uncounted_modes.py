@@ -9,7 +9,7 @@ with mass they are so at p = 0, Σ φ φᵀ = M⁻¹ over all modes, as of loads
 
 from collections.abc import Callable, Sequence
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -39,7 +39,7 @@ class PartRead:
     """What is read of the rate-th rates of modes: begins: the power from which on sums of it are finite, square: Σ c²
     or inf, motions: R, found as it is asked for."""
 
-    def __init__(self, rate: int, begins: float, square: float, find: "Callable[[], np.ndarray]"):
+    def __init__(self, rate: int, begins: float, square: float, find: "Callable[[], np.ndarray]") -> None:
         self.rate, self.begins, self.square, self._find = rate, begins, square, find
 
     @cached_property
@@ -53,7 +53,7 @@ class UncountedModes:
     coordinates, of `driven` ends and of loads `spread` along members behind them; rates: 2ζω of the first modes."""
 
     def __init__(self, basis: "ModeBasis", K: np.ndarray, M: np.ndarray, driven: "Sequence[DrivenEnd]",
-                 spread: "Sequence[SpreadDrive]", inputs: np.ndarray, rates: np.ndarray):
+                 spread: "Sequence[SpreadDrive]", inputs: np.ndarray, rates: np.ndarray) -> None:
         self.basis, self.K, self.M, self.inputs, self.rates = basis, K, M, inputs, rates
         self.pieces = [one._replace(piece=one.piece._replace(drag=0.0)) for one in basis.placed]
         self.highest = float(np.sqrt(np.abs(basis.squares).max(initial=0.0)))
@@ -77,10 +77,10 @@ class UncountedModes:
                          *(self.parts.pieces[one.piece] == part for one in self.driven),
                          *(any(drive.on(one) is not None for one in own) for drive in self._along)], bool)
 
-    def _order(self, drive):
-        return self.pieces[drive.piece].piece.order
+    def _order(self, drive: "DrivenEnd") -> int:
+        return cast("int", self.pieces[drive.piece].piece.order)
 
-    def _begin(self, coordinate):
+    def _begin(self, coordinate: int) -> float:
         """The power from which on Σ φ²/ω²ᵖ of a coordinate is finite."""
         if self.inverse[coordinate, coordinate]:
             return MASSIVE
@@ -105,7 +105,8 @@ class UncountedModes:
         both = 2.0 if len(nodes) and len(along) else 1.0
         return {p: both * self._block(R, p, nodes, along, chosen) for p in POWERS}
 
-    def _block(self, R, power, nodes, along, chosen):
+    def _block(self, R: np.ndarray, power: float, nodes: np.ndarray, along: np.ndarray,
+               chosen: np.ndarray) -> np.ndarray:
         found, finite = np.zeros((len(chosen),) * 2), self.begins[nodes] < power
         at = np.flatnonzero(np.isin(chosen, nodes[finite]))
         if len(at) and power:
@@ -150,7 +151,7 @@ class UncountedModes:
         """Does an output read the rate-th rates of modes?"""
         return any(part.rate == rate for part in self._read(output))
 
-    def _read(self, output):
+    def _read(self, output: "LinearOutput") -> list[PartRead]:
         """The parts of an output."""
         key = _key(output)
         if key not in self._reads:
@@ -166,10 +167,10 @@ class UncountedModes:
             self._reads[key] = found
         return self._reads[key]
 
-    def _of_row(self, row, first):
+    def _of_row(self, row: np.ndarray, first: np.ndarray) -> np.ndarray:
         return self.left(self.pieces, UnitLoads(row[:, None], {}), first[:, None])
 
-    def _square(self, row, first):
+    def _square(self, row: np.ndarray, first: np.ndarray) -> float:
         """Σ c² of coordinates, inf where one has no mass."""
         if any(x and not self.inverse[i, i] for i, x in enumerate(row)):
             return np.inf
@@ -184,7 +185,7 @@ class UncountedModes:
             return np.inf
         return begins_at(one.order, place.along)
 
-    def _at_end(self, place: "FieldPoint"):
+    def _at_end(self, place: "FieldPoint") -> float:
         """Σ c² of u or of a slope at an end of a piece, inf within it, or where nothing there has mass."""
         one, length = self.pieces[place.piece], self.pieces[place.piece].piece.length
         if self.begins_of(place) == np.inf:
@@ -197,7 +198,7 @@ class UncountedModes:
             row[i] = x
         return self._square(row, self.basis.field(place.piece, place.x, place.along))
 
-    def _at_place(self, place: "FieldPoint", factor: float):
+    def _at_place(self, place: "FieldPoint", factor: float) -> Any:
         """R of a factor of u or of a derivative within a piece. Next to an end, where a part would be too stiff beside
         all else, what is seen is no more than twice what both the end and a place further off show together."""
         length = self.pieces[place.piece].piece.length
@@ -207,7 +208,7 @@ class UncountedModes:
         ends = (0.0, BESIDE * length) if place.x < length / 2 else (length, (1 - BESIDE) * length)
         return 2 * sum(self._at_one(place._replace(x=x)) for x in ends) * factor**2
 
-    def _at_one(self, place):
+    def _at_one(self, place: "FieldPoint") -> np.ndarray:
         pieces, k, n, one = list(self.pieces), place.piece, len(self.K), self.pieces[place.piece]
         half, length, last = one.piece.order // 2, one.piece.length, False
         if INSIDE * length < place.x < (1 - INSIDE) * length:
@@ -235,7 +236,7 @@ class UncountedModes:
 
 def size_of(vectors: np.ndarray, sums: np.ndarray) -> np.ndarray:
     """√(vᵀ S v) of vectors (…, channels)."""
-    return np.sqrt(np.maximum(np.einsum("...i,ij,...j->...", vectors, sums, vectors), 0.0))
+    return cast("np.ndarray", np.sqrt(np.maximum(np.einsum("...i,ij,...j->...", vectors, sums, vectors), 0.0)))
 
 
 def left_of_squares(total: Any, known: Any) -> Any:
@@ -266,5 +267,5 @@ def begins_at(order: int, along: int) -> float:
     return (2 * along + 1) / order
 
 
-def _key(output):
+def _key(output: "LinearOutput") -> tuple[tuple[tuple[Any, float], ...], ...]:
     return tuple(tuple(sorted(part.items())) for part in (output.q, output.v, output.a, output.places))

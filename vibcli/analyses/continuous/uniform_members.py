@@ -11,14 +11,19 @@
 """
 
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
+
 SAME = 1e-14        # of a place
-NEWTON = 8          # steps; from e = 0 five reach the last digit
+NEWTON = 8          # steps; from e = 0 five reach the last digit,
+FADED = 38.0        # where exp −x is no more than a rounding none is needed: e is then it, or twice it
 PINNED, GUIDED = (False, True), (True, False)
 SINES = frozenset({PINNED, GUIDED})
 
@@ -42,7 +47,7 @@ class UniformMember(NamedTuple):
     def wave_numbers(self, n: np.ndarray) -> np.ndarray:
         """βL of the modes 1, 2 … that bend or stretch."""
         turns, rest = self.phases(n)
-        return np.pi * turns + rest
+        return cast("np.ndarray", np.pi * turns + rest)
 
     def phases(self, n: np.ndarray) -> tuple[np.ndarray, Any]:
         """The same in two parts: n + c, exact, and e."""
@@ -59,17 +64,18 @@ class UniformMember(NamedTuple):
         """ω² of those modes."""
         piece, beta = self.piece, self.wave_numbers(n) / self.piece.length
         elastic = piece.bending * beta ** 4 + (piece.tension * beta ** 2 if piece.tension else 0.0)
-        return (elastic + piece.foundation) / piece.inertia
+        return cast("np.ndarray", (elastic + piece.foundation) / piece.inertia)
 
     def frequencies(self, n: np.ndarray) -> np.ndarray:
         """ω of those modes; without foundation and tension beside bending a root is taken of the data alone."""
         piece = self.piece
         if piece.foundation or (piece.bending and piece.tension):
-            return np.sqrt(self.squares(n))
+            return cast("np.ndarray", np.sqrt(self.squares(n)))
         phase = self.wave_numbers(n)
         if piece.order == 2:
-            return phase * (np.sqrt(piece.tension / piece.inertia) / piece.length)
-        return phase * phase * (np.sqrt(piece.bending / piece.inertia) / (piece.length * piece.length))
+            return cast("np.ndarray", phase * (np.sqrt(piece.tension / piece.inertia) / piece.length))
+        value: np.ndarray = phase * phase * (np.sqrt(piece.bending / piece.inertia) / (piece.length * piece.length))
+        return value
 
 
 def uniform_member(elements: Any) -> UniformMember | None:
@@ -91,7 +97,8 @@ def uniform_member(elements: Any) -> UniformMember | None:
     return UniformMember(piece, ends, cuts)
 
 
-def _joined(placed):
+def _joined(placed: "tuple[PlacedPiece, ...]"
+            ) -> "tuple[Piece, tuple[dict[int, float], ...], tuple[float, ...], list[int]] | None":
     """(piece, rows of its ends, cuts, coordinates of these) of pieces that are one but for places on it; None of
     others."""
     if not placed:
@@ -109,24 +116,26 @@ def _joined(placed):
     return first.piece._replace(length=length), (*first.rows[:half], *placed[-1].rows[half:]), cuts, within
 
 
-def _tangent(start, sign):
+def _tangent(start: np.ndarray, sign: int) -> np.ndarray:
     """e of the roots of tan x = −sign·tanh x near x₀ = (n ∓ ¼)π: e = sign·arctan exp(−2x)."""
-    e = np.zeros_like(start)
+    e, near = sign * np.exp(-2 * start), 2 * start < FADED
+    e[near] = 0
     for _ in range(NEWTON):
-        fading = np.exp(-2 * (start + e))
-        value, slope = e - sign * np.arctan(fading), 1 + 2 * sign * fading / (1 + fading * fading)
-        e -= value / slope
-    return e
+        fading = np.exp(-2 * (start[near] + e[near]))
+        value, slope = e[near] - sign * np.arctan(fading), 1 + 2 * sign * fading / (1 + fading * fading)
+        e[near] -= value / slope
+    return cast("np.ndarray", e)
 
 
-def _product(n, sign):
+def _product(n: np.ndarray, sign: int) -> np.ndarray:
     """e of the roots of cos x cosh x = sign near x₀ = (n + ½ sign)π: sin e = −(−1)ⁿ sech x."""
     start, turn = np.pi * (n + 0.5 * sign), np.where(n % 2, -1.0, 1.0)
-    e = np.zeros_like(start)
+    e, near = -2 * turn * np.exp(-start), start < FADED
+    e[near], turn = 0, turn[near]
     for _ in range(NEWTON):
-        x = start + e
+        x = start[near] + e[near]
         fading = np.exp(-x)
         sech = 2 * fading / (1 + fading * fading)
-        value, slope = np.sin(e) + turn * sech, np.cos(e) - turn * sech * np.tanh(x)
-        e -= value / slope
+        value, slope = np.sin(e[near]) + turn * sech, np.cos(e[near]) - turn * sech * np.tanh(x)
+        e[near] -= value / slope
     return e

@@ -10,6 +10,7 @@ from vibcli.analyses.continuous.uniform_curves import uniform_curves
 
 if TYPE_CHECKING:
     from vibcli.analyses.continuous.system import ContinuousSystem
+    from vibcli.analyses.continuous.uniform_curves import UniformCurves
     from vibcli.analyses.continuous.uniform_members import UniformMember
 
 SHARES = (*PARTS, 0.382, 0.29)      # of the length: every 64th mode may rest at all of the first ones
@@ -47,7 +48,7 @@ def _places(order: int, phases: np.ndarray) -> Any:
     return np.argmax(nearest, axis=0)
 
 
-def _shapes(system, curves, shares):
+def _shapes(system: "ContinuousSystem", curves: "UniformCurves", shares: np.ndarray) -> np.ndarray:
     """Each over the coordinates of the ends of pieces, then of the nodes at shares of their lengths, (modes, pieces):
     (modes, coordinates)."""
     half, pieces = 2 if curves.bends else 1, system.ordered

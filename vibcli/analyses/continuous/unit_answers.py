@@ -9,7 +9,7 @@ of u′, by 1, as the left part moves with the stiffness d₁ of its end and the
 but for what is infinite there at each s alike.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.continuous.exact_transfer import DrivenEnd, ExactTransfer
     from vibcli.analyses.excitation.linear_output import FieldPoint
     from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
 
 INSIDE = 1e-12      # of a length
 
@@ -51,7 +52,7 @@ class UnitAnswers(NamedTuple):
 
     def shown_on(self, number: int, one: "PlacedPiece", load: OnPiece) -> np.ndarray:
         """What each load on a piece shows of each motion of it, (slots, slots, m)."""
-        return np.einsum("aom,obm->abm", load.ends, self.ends(number, one)) + load.held
+        return cast("np.ndarray", np.einsum("aom,obm->abm", load.ends, self.ends(number, one)) + load.held)
 
     def shown(self, pieces: "Sequence[PlacedPiece]") -> np.ndarray:
         """What each load, and each driven end, shows of each motion."""
@@ -74,7 +75,7 @@ class UnitAnswers(NamedTuple):
 class UnitLoadsOf:
     """Of an ExactTransfer."""
 
-    def __init__(self, transfer: "ExactTransfer"):
+    def __init__(self, transfer: "ExactTransfer") -> None:
         self.transfer, self.n, self._channels = transfer, transfer.n, UnitLoadsOfChannels(transfer)
         self.inverse = inverse_where_massive(transfer.matrix.polynomial[2])
 
@@ -91,7 +92,7 @@ class UnitLoadsOf:
         """bᵀ M⁻¹ b of all pairs, 0 of what does not act on mass alone."""
         return self._channels.massive(channels, self.inverse)
 
-    def forms(self, channels: "Sequence[int]", number: int) -> list:
+    def forms(self, channels: "Sequence[int]", number: int) -> list[tuple[int, Any]]:
         """[(slot, LoadForm)] of those along a piece."""
         return self._channels.on(channels, self.transfer.pieces[number])
 
@@ -109,7 +110,7 @@ class UnitLoadsOf:
         on = {place.piece: self._at(place, factor, s) for place, factor in output.places.items()}
         return UnitAnswers(s, self.transfer.at(output, s)[:self.n, None], row[None], on)
 
-    def _at(self, place: "FieldPoint", factor, s):
+    def _at(self, place: "FieldPoint", factor: float, s: np.ndarray) -> OnPiece:
         """What it puts on the ends of a piece, and what it shows of itself while these rest."""
         piece = self.transfer.pieces[place.piece].piece
         kappa, units = piece.reaction(s), np.eye(piece.order)
@@ -117,19 +118,19 @@ class UnitLoadsOf:
                 for unit in units]
         return OnPiece(factor * np.array(bent)[None], factor**2 * self._held(place, kappa)[None, None])
 
-    def _held(self, place, kappa):
+    def _held(self, place: "FieldPoint", kappa: np.ndarray) -> np.ndarray:
         one = self.transfer.pieces[place.piece]
         half, (p, e) = one.piece.order // 2, _load(one.piece, place)
         if not INSIDE * one.piece.length < place.x < (1 - INSIDE) * one.piece.length:
             end = half * (place.x > one.piece.length / 2)
-            return -e @ stiffness(one.piece, kappa)[:, end:end + half, end:end + half] @ e
+            return cast("np.ndarray", -e @ stiffness(one.piece, kappa)[:, end:end + half, end:end + half] @ e)
         left, right = (stiffness(part.piece, kappa) for part in divided_at(one, place.x, self.n))
         left, right = left[:, half:, half:], right[:, :half, :half]
         moved = np.linalg.solve(left + right, (p - right @ e)[..., None])[..., 0]
-        return moved @ p + np.einsum("a,sab,sb->s", e, left, moved)
+        return cast("np.ndarray", moved @ p + np.einsum("a,sab,sb->s", e, left, moved))
 
 
-def _load(piece, place):
+def _load(piece: "Piece", place: "FieldPoint") -> tuple[np.ndarray, np.ndarray]:
     """(forces, dislocations) of a node at a place that go with what is read there, of u and u′: of u u itself, of
     u″ = F′/B, u‴ = (N u′ − F)/B, of what does not bend u′ = F/N."""
     half, along = piece.order // 2, place.along

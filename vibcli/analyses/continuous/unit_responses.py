@@ -23,8 +23,10 @@ from vibcli.numerics.pieces.stiffness import stiffness_and_slope
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.analyses.continuous.short_pieces import RelativeCoordinates
     from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.numerics.pieces.loads import LoadForm
+    from vibcli.numerics.pieces.piece import Piece
 
 PANEL = 16          # places to a panel of an integral
 
@@ -55,14 +57,14 @@ def motions_squared(K: np.ndarray, M: np.ndarray, pieces: "Sequence[PlacedPiece]
         right -= np.einsum("ai,sab,bc->sic", rows, d, cut, optimize=True)
         known.append((rows, cut, one.piece.inertia * slope))
     x = _solved(D, right)
-    found = np.einsum("sic,ij,sjd->scd", x, M, x, optimize=True)
+    found: np.ndarray = np.einsum("sic,ij,sjd->scd", x, M, x, optimize=True)
     for rows, cut, slope in known:
         ends = rows @ x + cut
         found += np.einsum("sac,sab,sbd->scd", ends, slope, ends, optimize=True)
     return found
 
 
-def _of_ends(near, number, n):
+def _of_ends(near: "RelativeCoordinates", number: int, n: int) -> np.ndarray:
     """The rows of the motions of a piece, (motions, n)."""
     rows = near.short.get(number, near.ends[number])
     found = np.zeros((len(rows), n))
@@ -72,7 +74,7 @@ def _of_ends(near, number, n):
     return found
 
 
-def _cut(loads, number, piece, short):
+def _cut(loads: UnitLoads, number: int, piece: "Piece", short: bool) -> np.ndarray:
     """The dislocations of the ends of a piece, (motions, columns), of short ones as u₀, θ₀, w, ψ."""
     none = np.zeros(loads.forces.shape[1])
     found = np.array([none + loads.ends.get((number, end), none) for end in range(piece.order)])
@@ -82,12 +84,13 @@ def _cut(loads, number, piece, short):
     return found
 
 
-def _solved(D, right):
+def _solved(D: np.ndarray, right: np.ndarray) -> np.ndarray:
     """D⁻¹ right, coordinates counted in their own size."""
     if not D.shape[-1]:
         return right
     size = 1 / np.sqrt(np.abs(np.diagonal(D, axis1=1, axis2=2)))
-    return size[:, :, None] * np.linalg.solve(D * size[:, :, None] * size[:, None, :], size[:, :, None] * right)
+    found = np.linalg.solve(D * size[:, :, None] * size[:, None, :], size[:, :, None] * right)
+    return np.asarray(size[:, :, None] * found)
 
 
 def overlaps(forms: "Sequence[LoadForm]") -> np.ndarray:

@@ -1,6 +1,6 @@
 """Members as drawn, with what is attached to them, and what ties those without a place to lumped bodies."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import SURFACE, Polyline
@@ -20,7 +20,11 @@ def draw(stage: "Scenery", sketch: "Sketch", unit: float, bends: "Mapping[str, m
     found: list[Any] = []
     for strip in stage.strips:
         found += along(strip, sketch, unit, bends.get(strip.name))
-    return found + member_ends.branches(stage.strips, sketch) + _tied(stage, sketch, unit, bends)
+
+    def place(strip: "Strip", x: float) -> tuple[float, float]:
+        return member.place(strip, bends.get(strip.name) or _still(strip, sketch, unit), x)
+
+    return found + member_ends.branches(stage.strips, sketch, place) + _tied(stage, sketch, unit, place)
 
 
 def along(strip: "Strip", sketch: "Sketch", unit: float = 1.0, bend: "member.Bend | None" = None) -> list[Any]:
@@ -36,7 +40,8 @@ def _still(strip: "Strip", sketch: "Sketch", unit: float) -> "Bend":
     return member.Bend(resting(strip, sketch.values), strip.scale if strip.placed else unit)
 
 
-def _tied(stage: "Scenery", sketch: "Sketch", unit: float, bends: "Mapping[str, Bend]") -> list[Any]:
+def _tied(stage: "Scenery", sketch: "Sketch", unit: float,
+          on_member: "Callable[[Strip, float], tuple[float, float]]") -> list[Any]:
     """Dashed lines for what joins lumped bodies to members without a place: to points on them, or to their ends."""
     points = sketch.spec.get("member_points") or {}
     strips = {strip.name: strip for strip in stage.strips if not strip.placed}
@@ -44,9 +49,8 @@ def _tied(stage: "Scenery", sketch: "Sketch", unit: float, bends: "Mapping[str, 
 
     def tie(strip: "Strip", x: float, name: str) -> Polyline:
         place, foot = places[name]
-        on_strip = member.place(strip, bends.get(strip.name) or _still(strip, sketch, unit), x)
         moved = 0.0 if place.turns else sketch.lumped[name] * unit
-        return Polyline(((place.middle[0] + moved, foot), on_strip), "measure", 0.8, True, SURFACE)
+        return Polyline(((place.middle[0] + moved, foot), on_member(strip, x)), "measure", 0.8, True, SURFACE)
 
     found = []
     for record in sketch.spec.connections:

@@ -33,18 +33,20 @@ class Space:
         self.add(primitives)
 
     def add(self, primitives: Any) -> None:
-        for part in primitives:
+        behind = [part for part in primitives if part.layer < BODY]
+        hidden = {key for part in behind for line in _lines(part) for key in _cells_through(line)}
+        for part in [*behind, *(part for part in primitives if part.layer >= BODY)]:
             if isinstance(part, LetterRuns):
                 self.reserve(part.box)
                 continue
             if isinstance(part, (Polygon, Circle)) and part.fill not in (None, "paper"):
-                self._taken(_cells_within(part.points), FILLED)
+                within = _cells_within(part.points)
+                self.cells.update(dict.fromkeys(hidden.intersection(within), FILLED) if part.layer == BODY else {})
+                self._taken(within, FILLED)
+            for line in _lines(part):
+                self._taken(_cells_through(line), INKED)
             for stroke in part.strokes():
                 keys = _cells_through(stroke)
-                self._taken(keys, INKED)
-                if len(stroke) == 2 and getattr(part, "width", 0.0) >= THICK:
-                    for side in (-0.5, 0.5):
-                        self._taken(_cells_through(_beside(stroke, side * part.width)), INKED)
                 if part.role == "spring" and len(stroke) >= COILS:
                     coiled = set(_cells_within([*stroke[1::2], *stroke[2::2][::-1]])) - keys
                     self._taken(coiled, COILED)
@@ -162,6 +164,14 @@ def _columns(box: tuple[float, float, float, float]) -> Iterator[tuple[int, rang
     first, last = floor(bottom / CELL), floor(top / CELL) + 1
     for i in range(floor(left / CELL), floor(right / CELL) + 1):
         yield i, range(i * COLUMN + first, i * COLUMN + last)
+
+
+def _lines(part: Any) -> Iterator[tuple[tuple[float, float], ...]]:
+    """The strokes of a primitive, and the edges of one that is straight and thick."""
+    for stroke in part.strokes():
+        yield stroke
+        if len(stroke) == 2 and getattr(part, "width", 0.0) >= THICK:
+            yield from (_beside(stroke, side * part.width) for side in (-0.5, 0.5))
 
 
 def _beside(stroke: tuple[tuple[float, float], tuple[float, float]],

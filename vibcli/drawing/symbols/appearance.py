@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
     from vibcli.language.reader import Record
 
-RIM, CORNER, KNOT, JOINED = 8.0, 4.5, 2.4, 4.0       # points; from a pin to what it lies on
+RIM, KNOT, JOINED = 8.0, 2.4, 4.0       # points; from a pin to what it lies on
 
 
 def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
@@ -136,12 +136,16 @@ def _wheel(centre: tuple[float, float], radii: Sequence[float], toothed: bool) -
 
 
 def _loose(body: "Body", centre: tuple[float, float], sketch: "Sketch", ties: "Ties") -> Look:
-    """A body that moves freely: a bar through the places that it carries, else a ball, small where it is a corner
-    of a frame, which has no mass."""
+    """A body that moves freely: a bar through the places that it carries, else a ball; as thick as the members that
+    it joins where it is a corner of a frame, which has no mass."""
     carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
     turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record)
     if (len(carried) > 1 or (carried and turns)) and hulls.straight([*carried, centre]):
         return hulls.bar([*carried, centre], centre)
-    corner = all(node is None or node.is_zero for node in (body.mass, body.inertia))
-    found = ball(centre, CORNER if corner else 14.0 if turns else BALL + 2.5)
+    radius = 14.0 if turns else BALL + 2.5
+    if all(node is None or node.is_zero for node in (body.mass, body.inertia)):
+        from vibcli.drawing.layout.strips import THICK
+
+        radius = THICK
+    found = ball(centre, radius)
     return Look([found], "ball", found.points)

@@ -28,6 +28,7 @@ LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
 STARTS = (0.2, 0.7, -0.3, 1.2, -0.8), (0.08, 0.58, -0.42, 1.08)     # in units of π; those beside them
 LATER, ROUND_LATER, WORDED = 1.5, 1.0, 1.2      # the cost of each place that is tried before, of a word at the start
 BEYOND, SMALL = 6.0, 30.0       # points: of an arc about all of a small body
+NEAR, LONG = 40.0, 140.0        # points: the radius of an arc near the joint of a long body
 THIN, MOST = 4.0, 12.0          # half the thickness of what arcs begin within
 INSIDE, LEAVING = 22.0, 0.38    # that of what short arcs may end in; the part of an arc within a thinner one
 ROUNDED = "ring", "arch", "sector"
@@ -239,7 +240,7 @@ def _round(motion: BodyMotion, sketch: Sketch, looks: "Mapping[str, Look]") -> l
     size = _size(max(abs(plane.across(plane.unit(axis), plane.minus(p, centre))) for p in points), look, slender)
     for heading in headings:
         radii = [min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * i * (share * far > 85)
-                 for i, share in enumerate(ARCS)]
+                 for i, share in enumerate(ARCS)] + [NEAR] * (far > LONG)
         for radius in [*radii, *([far + BEYOND] if look.kind in ROUNDED and far < SMALL else [])]:
             span = min(0.5 * pi, max(size / radius, 0.3))
             found.append(_arced(centre, radius, heading, heading + motion.sense * span))
@@ -256,5 +257,8 @@ def _size(half: float, look: "Look", slender: bool) -> float:
 def _arced(centre: tuple[float, float], radius: float, start: float, end: float) -> RoundPath:
     parted = start + 0.25 * (end - start)
     beyond = 4.0 / radius if end > start else -4.0 / radius
-    path, own = plane.arc(centre, radius, parted, end + beyond), plane.arc(centre, radius, start - beyond, parted)
+    path, own = plane.arc(centre, radius, parted, end), plane.arc(centre, radius, start - beyond, parted)
+    base = end - (end - start) * min(arrow.HEAD / radius / abs(end - start), 0.6)
+    path += [plane.polar(centre, radius + side, base) for side in (arrow.WING, -arrow.WING)]
+    path.append(plane.polar(centre, radius, end + beyond))
     return path, lambda role: arrow.round_(centre, radius, start, end, role), own

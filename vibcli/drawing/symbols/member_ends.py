@@ -1,6 +1,6 @@
 """What holds members and what is attached to them: walls, supports, springs, dampers, masses, discs, oscillators."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from math import pi, sin
 from typing import TYPE_CHECKING, Any
 
@@ -86,16 +86,17 @@ def _rail(frame: "DrawnFrame", drawn: tuple[float, float], here: tuple[float, fl
     return [Polyline((plane.plus(middle, n, -half), plane.plus(middle, n, half)), width=2.4, layer=SURFACE)]
 
 
-def branches(strips: "Sequence[Strip]", sketch: "Sketch") -> list[Primitive]:
-    """Dashed lines from ends of members without a place to the members that hold them."""
+def branches(strips: "Sequence[Strip]", sketch: "Sketch",
+             on: Callable[[Strip, float], tuple[float, float]]) -> list[Primitive]:
+    """Dashed lines from ends of members without a place to the members that hold them; `on` one: displaced."""
     found: list[Primitive] = []
     known = {strip.name: strip for strip in strips}
     for strip in strips:
         for side, x in (("left", 0.0), ("right", strip.metres)):
             for _, name in held(strip.member, side):
                 if name in known and not strip.placed:
-                    there = known[name].at(sketch.number(strip.member.record[side]["at"]))
-                    found.append(Polyline((strip.at(x), there), "measure", 0.8, True, SURFACE))
+                    there = on(known[name], sketch.number(strip.member.record[side]["at"]))
+                    found.append(Polyline((on(strip, x), there), "measure", 0.8, True, SURFACE))
     return found
 
 

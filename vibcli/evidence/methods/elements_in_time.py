@@ -3,7 +3,7 @@
     q̇ₖ₊₁ = q̇ₖ + h (q̈ₖ + q̈ₖ₊₁)/2,      qₖ₊₁ = qₖ + h q̇ₖ + h² (q̈ₖ + q̈ₖ₊₁)/4      (Newmark 1959, β = 1/4, γ = 1/2)
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import Any
 
@@ -43,7 +43,7 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
                                 partial(_by_steps, asked, mesh, steps))
 
 
-def _read(asked, times, values):
+def _read(asked: MembersInTime, times: np.ndarray, values: np.ndarray) -> MethodAnswer:
     """What is asked, by samples of the signal."""
     return MethodAnswer([float(values[-1]) if asked.feature == "value" else extreme(times, values, asked.feature)])
 
@@ -57,9 +57,10 @@ class FirstOrderModes(NamedTuple):
     seen: np.ndarray
     at_once: np.ndarray
 
-    def signal(self, loads: list, times: np.ndarray) -> np.ndarray:
+    def signal(self, loads: Sequence[tuple[float, dict[tuple[complex, int], np.ndarray]]],
+               times: np.ndarray) -> np.ndarray:
         """Under loads, at instants."""
-        found = ((self.seen * self.start) @ np.exp(np.outer(self.rates, times))).real
+        found: np.ndarray = ((self.seen * self.start) @ np.exp(np.outer(self.rates, times))).real
         for instant, terms in loads:
             here = times >= instant
             s = times[here] - instant
@@ -69,7 +70,7 @@ class FirstOrderModes(NamedTuple):
         return found
 
 
-def _convolved(own, rate, power, s):
+def _convolved(own: np.ndarray, rate: complex, power: int, s: np.ndarray) -> np.ndarray:
     """∫₀ˢ e^{λ(s − τ)} τᵖ e^{μτ} dτ of λs."""
     apart, alike = rate - own, own == rate
     apart = np.where(alike, 1, apart)
@@ -89,7 +90,7 @@ def _by_modes(asked: MembersInTime, mesh: MeshInMotion, count: int | None, _: De
     return _read(asked, times, modes.signal(mesh.loads, times) + mesh.beside(times))
 
 
-def _pairs(asked, mesh, count):
+def _pairs(asked: MembersInTime, mesh: MeshInMotion, count: int | None) -> FirstOrderModes:
     """Of undamped modes, two each: z = ṗ − λ′ p, λ′ the other root of λ² + c λ + ω² = 0."""
     squares, shapes, c = _undamped(asked, mesh, count)
     root = np.sqrt((c * c / 4 - squares).astype(complex))
@@ -103,7 +104,7 @@ def _pairs(asked, mesh, count):
                            np.concatenate([v - two * q, v - one * q]), np.concatenate(seen), shapes @ r_twice)
 
 
-def _undamped(asked, mesh, count):
+def _undamped(asked: MembersInTime, mesh: MeshInMotion, count: int | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(ω², φ, c) of the lowest modes or all."""
     import scipy.linalg
 
@@ -114,7 +115,7 @@ def _undamped(asked, mesh, count):
     return squares, shapes, asked.damping.of(np.sqrt(np.maximum(squares, 0.0)), np.arange(len(squares)))
 
 
-def _of_states(mesh):
+def _of_states(mesh: MeshInMotion) -> FirstOrderModes:
     """Of (q, q̇)."""
     n = len(mesh.M)
     inverse = np.linalg.inv(mesh.M)

@@ -26,7 +26,7 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
         yield MethodRun("lsim", f"{steps} steps", partial(_held, subject.data, steps))
 
 
-def _steps(instants: Sequence[float], until: float):
+def _steps(instants: Sequence[float], until: float) -> Sequence[int]:
     """The numbers of steps that are tried: of parts of the shortest time between two samples, where records drive."""
     apart = np.diff(np.unique(instants)) if len(instants) > 1 else np.array([])
     apart = apart[apart > 1e-9 * until]
@@ -37,7 +37,7 @@ def _steps(instants: Sequence[float], until: float):
     return [least * part for part in PARTS if least * part <= MOST]
 
 
-def _is_whole(number):
+def _is_whole(number: float) -> bool:
     return abs(number - round(number)) < 1e-6 < number
 
 

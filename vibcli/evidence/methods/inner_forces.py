@@ -2,9 +2,13 @@
 
 from collections.abc import Iterator, Sequence
 from functools import partial
+from typing import TYPE_CHECKING, Any
 
 from vibcli.evidence.reference.laws import LawInNumbers
 from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
+
+if TYPE_CHECKING:
+    import numpy as np
 
 TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-15)
 
@@ -24,11 +28,11 @@ def _is_solved(law: LawInNumbers) -> bool:
     return law.joined == "series" or any(map(_is_solved, law.parts))
 
 
-def _found(law, D, method, tolerance, deadline: Deadline) -> MethodAnswer:
+def _found(law: LawInNumbers, D: "np.ndarray", method: str, tolerance: float, deadline: Deadline) -> MethodAnswer:
     return MethodAnswer([_force(law, D, method, tolerance, deadline)])
 
 
-def _force(law, D, method, tolerance, deadline):
+def _force(law: LawInNumbers, D: Any, method: str, tolerance: float, deadline: Deadline) -> float:
     """Of parts in series that of the first."""
     from scipy.optimize import root
 

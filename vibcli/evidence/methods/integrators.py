@@ -1,9 +1,13 @@
 """SciPy's integrators of first-order equations, at tolerances 1e-3 … 1e-13."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
+from typing import TYPE_CHECKING, Any
 
 from vibcli.evidence.subject import Deadline, MethodAnswer, MethodRun, Subject
+
+if TYPE_CHECKING:
+    import numpy as np
 
 SOLVERS = ("DOP853", "LSODA", "RK45", "BDF", "Radau")
 TOLERANCES = tuple(10.0**-k for k in range(3, 14))
@@ -52,17 +56,17 @@ def _by_odeint(subject: Subject, tolerance: float, deadline: Deadline) -> Method
     return MethodAnswer([plain.read(states, plain.times)])
 
 
-def _least(subject, tolerance):
+def _least(subject: Subject, tolerance: float) -> float:
     """atol: relative to the sizes of the states where these are known, else to the largest value of the signal."""
     sizes = subject.data.sizes
     return tolerance * (subject.scale if sizes is None else sizes)
 
 
-def _watched(rates, deadline):
+def _watched(rates: "Callable[[float, Any], np.ndarray]", deadline: Deadline) -> "Callable[[float, Any], np.ndarray]":
     """The rates, which look at the deadline now and then."""
     calls = 0
 
-    def watched(t, y):
+    def watched(t: float, y: "np.ndarray") -> "np.ndarray":
         nonlocal calls
         calls += 1
         if not calls & 255:

@@ -5,7 +5,7 @@
 of loads Re Σ c e^{st}: pᵣ = Re Σ φᵣᵀc e^{st}/(s² + 2 ζᵣ ωᵣ s + ωᵣ²) and a free motion.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import partial
 from typing import Any
 
@@ -32,7 +32,7 @@ def attempts(subject: Subject) -> Iterator[MethodRun]:
                       partial(_sum, subject, (M, C, K), waves, count))
 
 
-def _sum(subject: Subject, matrices: tuple, waves: Any, count: int, _: Deadline) -> MethodAnswer:
+def _sum(subject: Subject, matrices: tuple[np.ndarray, ...], waves: Any, count: int, _: Deadline) -> MethodAnswer:
     import scipy.linalg
 
     M, C, K = matrices
@@ -47,7 +47,8 @@ def _sum(subject: Subject, matrices: tuple, waves: Any, count: int, _: Deadline)
     return MethodAnswer([plain.read(states, plain.times)])
 
 
-def _one(square, drag, place, speed, loads, times):
+def _one(square: float, drag: float, place: float, speed: float, loads: Iterable[tuple[Any, Any]],
+         times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(p, ṗ) at instants of p̈ + drag ṗ + square p = Re Σ c e^{st} from p, ṗ."""
     kept, rate = np.zeros(len(times), complex), np.zeros(len(times), complex)
     for c, s in loads:

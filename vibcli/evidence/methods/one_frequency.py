@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -33,5 +34,5 @@ def _sum(subject: Subject, count: int, _: Deadline) -> MethodAnswer:
     return _found(subject, H)
 
 
-def _found(subject, H):
+def _found(subject: Subject, H: Any) -> MethodAnswer:
     return MethodAnswer([subject.data[2](H)])

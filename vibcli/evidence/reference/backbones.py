@@ -86,7 +86,7 @@ class FreeSwing(NamedTuple):
         total = self._time(a, bends[0] - a, own, True) + self._time(b, bends[-1] - b, own, True)
         return 2 * mpmath.fsum([total, *(self._time(c, d - c, own, False, a) for c, d in inner)])
 
-    def _time(self, begin, way, own, turned, top=None):
+    def _time(self, begin: mpmath.mpf, way: mpmath.mpf, own: int, turned: bool, top: Any = None) -> mpmath.mpf:
         """From one place on, on a way; turned: it turns there, else at `top`."""
         V, (M,) = effective_potential(self.motion.scene), self.motion.parts.M.values()
         with mpmath.workdps(DEEPER * own):
@@ -120,7 +120,7 @@ def free_motion(numeric: "NumericSystem", static: StaticEquations) -> Motion:
 
 def true_period(swing: FreeSwing) -> TrueValues:
     """T of a motion."""
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         T = swing.period()
         return [T], T
 

@@ -30,7 +30,8 @@ def without_impulses(scene: "Scene", drive: "Mapping[int, Node]") -> "tuple[dict
     smooth, found, nothing = {}, [], scene.table.zero
     for i, node in drive.items():
         impulses = {part: part for part in reachable([node]) if part.name == "impulse"}
-        struck: dict = impulses | {record.node: record for record in driving_records(scene, [node]) if strikes(record)}
+        records = driving_records(scene, [node])
+        struck: dict[Any, Any] = impulses | {record.node: record for record in records if strikes(record)}
         smooth[i], = substitute([node], dict.fromkeys(impulses, nothing))
         still = dict.fromkeys(struck, nothing)
         for part, what in struck.items():

@@ -21,7 +21,7 @@ from vibcli.evidence.reference.settled import TrueValues, settled
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
 if TYPE_CHECKING:
-    from vibcli.language.reader import Record
+    from vibcli.language.reader import Expression, Record
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
@@ -29,7 +29,7 @@ GROWTH = 1.4        # of the digits
 NODES = 0.7         # of Gauss's rule a digit
 LINES = ("ring", "arch")
 STRAIGHT = 2        # the degree of Gauss's rule along what polynomials of the third power are integrated over
-Rule = Callable[[bool], tuple[np.ndarray, np.ndarray]]      # of what turns or not: nodes between −1 and 1, and weights
+Rule = Callable[[bool], tuple[np.ndarray, ...]]      # of what turns or not: nodes between −1 and 1, and weights
 
 
 class ShapeInNumbers(NamedTuple):
@@ -62,7 +62,7 @@ class ShapeInNumbers(NamedTuple):
 class BodyInNumbers:
     """A body as drawn, in the numbers of an arithmetic."""
 
-    def __init__(self, problem: "Problem", name: str, arithmetic: Any):
+    def __init__(self, problem: "Problem", name: str, arithmetic: Any) -> None:
         self.problem, self.arithmetic = problem, arithmetic
         self.record = problem.spec.get("bodies")[name]
         self.known = problem.numeric.values(arithmetic)
@@ -82,16 +82,19 @@ class BodyInNumbers:
             return own
         return own + m * sum((a - b) ** 2 for a, b in zip(self._centre(rule), self._about(tree, rule), strict=True))
 
-    def _integrals(self, rule, about=(0, 0)):
+    def _integrals(self, rule: Rule,
+                   about: tuple[float | mpmath.mpf, float | mpmath.mpf] = (0, 0)) -> Any:
         return sum(shape.integrals(rule, about) for shape in self.shapes)
 
-    def _centre(self, rule):
+    def _centre(self,
+                rule: Rule) -> tuple[float | mpmath.mpf, float | mpmath.mpf]:
         m, x, y, _ = self._integrals(rule)
         if not m:
             raise PhysicsError("no reference is found of where the centre of what has no mass is")
         return x / m, y / m
 
-    def _about(self, tree, rule):
+    def _about(self, tree: "QuantityRef",
+               rule: Rule) -> tuple[float | mpmath.mpf, float | mpmath.mpf]:
         """The mass centre, or the place of a point or of the centre of another body."""
         if len(tree.indices) == 1:
             return self._centre(rule)
@@ -100,11 +103,11 @@ class BodyInNumbers:
             return BodyInNumbers(self.problem, place, self.arithmetic)._centre(rule)
         return self._pair(self.problem.spec.get("points")[place]["at"])
 
-    def _shape(self, record):
+    def _shape(self, record: "Record") -> ShapeInNumbers:
         mass, density = (self._number(key, record) if key in record else None for key in ("mass", "density"))
         return ShapeInNumbers(*self._spread(record), mass, density, -1 if record.get("cut") else 1)
 
-    def _spread(self, record):
+    def _spread(self, record: Any) -> tuple[list[Any], Callable[..., Any]]:
         """(reaches of the parameters, what they give)."""
         shape, functions = record.get("shape", "particle"), _functions(self.arithmetic)
         if shape == "rod":
@@ -128,7 +131,7 @@ class BodyInNumbers:
         return [(0 * a, a / a, False), (-half, half, True)], lambda r, phi: turned(
             r * functions.cos(phi) * a, r * functions.sin(phi) * b, r * (a * b))
 
-    def _rod(self, record):
+    def _rod(self, record: "Record | None") -> tuple[list[Any], Callable[..., Any]]:
         (ax, ay), (bx, by) = self._pair(record["from"]), self._pair(record["to"])
         length = ((bx - ax) ** 2 + (by - ay) ** 2) ** (self.arithmetic.number(1) / 2)
         return [(0 * length, length / length, False)], lambda s: (s * (bx - ax) + ax, s * (by - ay) + ay, length)
@@ -136,16 +139,16 @@ class BodyInNumbers:
     def _number(self, key: str, record: "Record | None" = None) -> Any:
         return self._numbers([(record or self.record)[key]])[0]
 
-    def _pair(self, expressions):
+    def _pair(self, expressions: "list[Expression]") -> tuple[Any, ...]:
         return tuple(self._numbers(expressions))
 
-    def _numbers(self, expressions):
+    def _numbers(self, expressions: "Sequence[Expression]") -> list[float | mpmath.mpf]:
         scene = self.problem.scene
         nodes = scene.at_drawn(*map(scene.lower, expressions))
         return evaluate(nodes, self.arithmetic, self.known)
 
 
-def _functions(arithmetic):
+def _functions(arithmetic: Any) -> Any:
     """cos, sin and π for arrays of its numbers."""
     if arithmetic is Floats:
         return np
@@ -153,7 +156,7 @@ def _functions(arithmetic):
                                              for name in ("cos", "sin")})
 
 
-def gauss(turns: bool) -> tuple[np.ndarray, np.ndarray]:
+def gauss(turns: bool) -> tuple[np.ndarray, ...]:
     """Gauss's rule at the working precision, over angles for functions of a whole turn."""
     degree = STRAIGHT
     while turns and 3 * 2 ** (degree - 1) < NODES * mpmath.mp.dps:
@@ -162,14 +165,14 @@ def gauss(turns: bool) -> tuple[np.ndarray, np.ndarray]:
 
 
 @cache
-def _nodes(degree, precision):
+def _nodes(degree: int, precision: int) -> tuple[np.ndarray, ...]:
     found = GaussLegendre(mpmath.mp).get_nodes(-1, 1, degree, precision)
     return tuple(np.array(column, dtype=object) for column in zip(*found, strict=True))
 
 
 def true_moment(problem: "Problem", tree: "QuantityRef", size: float) -> TrueValues:
     """What is asked of a body, digits counting from a size on where it is smaller."""
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], float | mpmath.mpf]":
         value = BodyInNumbers(problem, tree.indices[0], multiprecision()).asked(tree, gauss)
         nothing = abs(value) <= size * mpmath.mpf(10) ** (-mpmath.mp.dps // 2)
         return [mpmath.mpf(0) if nothing else value], max(size, abs(value))

@@ -19,11 +19,11 @@ STEPS, LEAST = 4, 24            # of the method; digits that are to be found
 class Residual(NamedTuple):
     """L − R of each condition, and the bounds of what it is known to."""
 
-    values: list
-    errors: list
+    values: list[Any]
+    errors: list[Any]
 
 
-def determined(residual: Callable[[list], Residual], near: Sequence[Any]) -> TrueValues:
+def determined(residual: Callable[..., Residual], near: Sequence[Any]) -> TrueValues:
     """The numbers at which all conditions hold, next to these."""
     with mpmath.workdps(WORKING):
         p = [mpmath.mpf(x) for x in near]
@@ -42,7 +42,7 @@ def determined(residual: Callable[[list], Residual], near: Sequence[Any]) -> Tru
     return TrueValues(p, digits, WORKING, WORKING)
 
 
-def _inverse(residual, p, here):
+def _inverse(residual: Callable[..., Residual], p: list[mpmath.mpf], here: Residual) -> mpmath.matrix:
     """J⁻¹"""
     J = mpmath.zeros(len(here.values), len(p))
     for j, x in enumerate(p):
@@ -57,7 +57,7 @@ def _inverse(residual, p, here):
                             "are more of them than numbers", "leave this quantity out of the comparison") from None
 
 
-def _off(inverse, here):
+def _off(inverse: mpmath.matrix, here: Residual) -> list[mpmath.mpf]:
     """The bounds of |δp|."""
     left = [abs(f) + e for f, e in zip(here.values, here.errors, strict=True)]
     return [mpmath.fsum(abs(inverse[i, j]) * x for j, x in enumerate(left)) for i in range(inverse.rows)]

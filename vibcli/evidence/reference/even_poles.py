@@ -28,17 +28,17 @@ class KnownPole(NamedTuple):
     """number; values: [p/n², residues …]."""
 
     number: int
-    values: list
+    values: list[Any]
 
 
 class EvenPoles:
     """Those of a signal."""
 
-    def __init__(self, residues: "PoleResidues", every: int):
+    def __init__(self, residues: "PoleResidues", every: int) -> None:
         self._residues, self._every = residues, every
         self._families = [self._known(offset) for offset in range(every)]
 
-    def _known(self, offset):
+    def _known(self, offset: int) -> list[KnownPole]:
         """Of a family, as far as all are at hand."""
         found, number, few = [], LOWEST + offset, self._residues.few
         while number <= len(few):
@@ -47,7 +47,7 @@ class EvenPoles:
             number = self._next(number)
         return found
 
-    def _next(self, number):
+    def _next(self, number: int) -> int:
         growth = NEAR if number < len(self._residues.few) else FAR
         return number + self._every * max(1, round((growth - 1) * number / self._every))
 
@@ -56,13 +56,13 @@ class EvenPoles:
         """Does a polynomial through others tell the last of those at hand?"""
         return all(len(known) > THROUGH and self._told(known) for known in self._families)
 
-    def _told(self, known):
+    def _told(self, known: list[KnownPole]) -> bool:
         *before, last = known
         found = _at(before[-THROUGH:], last.number)
         sizes = [max(abs(one.values[k]) for one in known) for k in range(len(last.values))]
         return all(abs(x - y) <= EVEN * size for x, y, size in zip(found, last.values, sizes, strict=True))
 
-    def exactly(self, first: int, last: int) -> list[tuple[Any, list]]:
+    def exactly(self, first: int, last: int) -> list[tuple[mpmath.mpc, list[mpmath.mpc]]]:
         """[(p, residues)] of the poles of these numbers, at the working precision."""
         found = []
         for number in range(first, last + 1):
@@ -70,7 +70,7 @@ class EvenPoles:
             found.append((p * number**2, values))
         return found
 
-    def _about(self, number):
+    def _about(self, number: int) -> list[KnownPole]:
         """The known ones of its family through which its polynomial passes."""
         known = next(one for one in self._families if (number - one[0].number) % self._every == 0)
         while known[-1 - SPARED].number < number:
@@ -91,7 +91,7 @@ class EvenPoles:
                 found[:, here - first] = _in_longer_floats(known, here)
         return found[0], found[1:]
 
-    def _extend(self, known):
+    def _extend(self, known: list[KnownPole]) -> None:
         number = self._next(known[-1].number)
         near = _at(known[-THROUGH:], number)[0] * number**2
         p, values = self._residues.exact(near)
@@ -104,7 +104,7 @@ def even_poles(residues: "PoleResidues") -> EvenPoles | None:
     return next((one for one in found if one.are_even), None)
 
 
-def _at(known: list[KnownPole], number: int) -> list:
+def _at(known: list[KnownPole], number: int) -> list[mpmath.mpc]:
     """What polynomials through these give of another one."""
     weights = [mpmath.fprod((mpmath.mpf(1) / number - mpmath.mpf(1) / other.number)
                             / (mpmath.mpf(1) / one.number - mpmath.mpf(1) / other.number)

@@ -5,10 +5,10 @@
 in complex numbers of mpmath: what sums, products, powers, sines, steps and the like of such functions are.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from math import comb, factorial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import mpmath
 
@@ -39,7 +39,7 @@ class ExponentialPolynomial:
 
     __slots__ = ("terms",)
 
-    def __init__(self, terms: "Mapping[tuple[Any, int], Any]"):
+    def __init__(self, terms: "Mapping[tuple[Any, int], Any]") -> None:
         self.terms = {key: c for key, c in terms.items() if is_some(c)}
 
     def __add__(self, other: Any) -> "ExponentialPolynomial":
@@ -62,10 +62,10 @@ class ExponentialPolynomial:
         return self * -1
 
     def __sub__(self, other: Any) -> "ExponentialPolynomial":
-        return self + -1 * other
+        return cast("ExponentialPolynomial", self + -1 * other)
 
     def __rsub__(self, other: Any) -> "ExponentialPolynomial":
-        return -self + other
+        return cast("ExponentialPolynomial", -self + other)
 
     def at(self, t: Any) -> Any:
         """Its value at a place, a real number."""
@@ -101,7 +101,7 @@ class ExponentialPolynomial:
 NOTHING = ExponentialPolynomial({})
 
 
-def _terms(x):
+def _terms(x: Any) -> dict[tuple[Any, int], Any]:
     if isinstance(x, ExponentialPolynomial):
         return x.terms
     return {(0j, 0): x} if hasattr(x, "dtype") else {(mpmath.mpc(0), 0): mpmath.mpc(x)}
@@ -126,17 +126,18 @@ def stretches(node: "Node", variable: "Node", known: "Mapping[str, Any]", end: A
     return inner + (last if end is None else [])
 
 
-def _near(a, b):
+def _near(a: mpmath.mpf, b: mpmath.mpf) -> mpmath.mpf:
     return mpmath.mpf(10) ** -SAME * max(abs(a), abs(b))
 
 
-def _between(node, variable, known, place):
+def _between(node: "Node", variable: "Node", known: "Mapping[str, float | mpmath.mpf]",
+             place: mpmath.mpf | None) -> ExponentialPolynomial:
     """The function about a place."""
     found, = evaluate([node], _About(place), {**known, variable.name: ExponentialPolynomial({(mpmath.mpc(0), 1): 1})})
     return found if isinstance(found, ExponentialPolynomial) else ExponentialPolynomial(_terms(found))
 
 
-def _bends(node, variable, known, end):
+def _bends(node: "Node", variable: "Node", known: "Mapping[str, Any]", end: mpmath.mpf) -> Iterator[mpmath.mpf]:
     """Where a function may bend or jump."""
     for part in reachable([node]):
         if part.op == "call" and part.mask & variable.mask and (part.name in BENT or part.name in part.table.records):
@@ -149,7 +150,7 @@ def _bends(node, variable, known, end):
                 yield from _half_turns(a, b, end) if part.name == "square" else [-a / b] * bool(b)
 
 
-def _half_turns(a, b, end):
+def _half_turns(a: Any, b: Any, end: Any) -> list[Any]:
     if end is None:
         raise PhysicsError("of square waves a reference in time is found up to an end")
     first, last = sorted((a / mpmath.pi, (a + b * end) / mpmath.pi))
@@ -163,7 +164,7 @@ class _About:
 
     ordered = False
 
-    def __init__(self, place: Any):
+    def __init__(self, place: Any) -> None:
         self._numbers, self._place = multiprecision(), place
         self.pi, self.number, self.record, self.called = (
             self._numbers.pi, self._numbers.number, self._numbers.record, self._numbers.called)
@@ -179,7 +180,7 @@ class _About:
             found = base * found
         return found
 
-    def _function(self, name) -> Callable:
+    def _function(self, name: str) -> Callable[..., Any]:
         plain = self._numbers.functions[name]
 
         def value(*args: Any) -> Any:
@@ -191,18 +192,18 @@ class _About:
 
         return value
 
-    def _bent(self, name, args: "Sequence[Any]"):
+    def _bent(self, name: str, args: "Sequence[Any]") -> float:
         if name not in BENT or self._place is None:
             raise PhysicsError(REFUSED)
         here = [x.at(self._place) if isinstance(x, ExponentialPolynomial) else x for x in args]
         if name in ("min", "max"):
-            return args[here.index((min if name == "min" else max)(here))]
+            return cast("float", args[here.index((min if name == "min" else max)(here))])
         if name in ("abs", "ramp"):
-            return args[0] * (mpmath.sign(here[0]) if name == "abs" else int(here[0] > 0))
-        return self._numbers.functions[name](here[0])
+            return cast("float", args[0] * (mpmath.sign(here[0]) if name == "abs" else int(here[0] > 0)))
+        return cast("float", self._numbers.functions[name](here[0]))
 
 
-def _exponential(name, a, b):
+def _exponential(name: str, a: mpmath.mpc, b: mpmath.mpc) -> ExponentialPolynomial:
     """e^{a + bt}, or its sine and the like."""
     turn = 1 if name in ("exp", "sinh", "cosh") else mpmath.mpc(0, 1)
     rising = ExponentialPolynomial({(mpmath.mpc(turn * b), 0): mpmath.exp(turn * a)})

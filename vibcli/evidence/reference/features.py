@@ -68,7 +68,7 @@ def extreme(signal: SignalAlongSteps, steps: TaylorSteps, sense: int) -> tuple[A
     return steps.time(top), largest, size
 
 
-def _sampled(signal, steps):
+def _sampled(signal: SignalAlongSteps, steps: TaylorSteps) -> list[tuple[int, mpmath.mpf]]:
     """[(instant, value)] at all ends of steps, and between them; where it may jump, just before, too."""
     times = {step.start + (step.end - step.start) * k // SAMPLES for step in steps.steps for k in range(SAMPLES)}
     times |= {steps.steps[-1].end, *(t - 1 for t in steps.breaks if t)}
@@ -97,15 +97,15 @@ def zeros(signal: SignalAlongSteps, steps: TaylorSteps, number: int) -> list[Any
     return [steps.time(t) for t in found[:number]]
 
 
-def _zero(signal, steps, ends, sense):
+def _zero(signal: SignalAlongSteps, steps: TaylorSteps, ends: tuple[int, int], sense: int) -> int:
     """The instant between two at which a signal falls (sense 1) or rises through zero."""
     return passage(lambda at: sense * signal.along(steps, [signal.node], at)[0], ends, steps)
 
 
-def _top(signal, steps, ends, t, sense):
+def _top(signal: SignalAlongSteps, steps: TaylorSteps, ends: tuple[int, int], t: int, sense: int) -> int:
     """The instant between two at which the rate passes through zero; where it does not, as at a corner or an end, the
     one that is given."""
-    def rate(at):
+    def rate(at: int) -> mpmath.mpf:
         return sense * signal.along(steps, [signal.rate], at)[0]
 
     if not (rate(ends[0]) > 0 > rate(ends[1])):

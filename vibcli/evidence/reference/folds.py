@@ -8,7 +8,7 @@ floats know.
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import mpmath
 import numpy as np
@@ -31,7 +31,7 @@ STEPS = 12          # of Newton's method in floats
 class FoldEquations:
     """Of a parameter's name; near: {coordinate or parameter: number} about where they meet."""
 
-    def __init__(self, numeric: "NumericSystem", static: StaticEquations, name: str, near: Mapping[str, Any]):
+    def __init__(self, numeric: "NumericSystem", static: StaticEquations, name: str, near: Mapping[str, Any]) -> None:
         self.numeric, self.static, self.name = numeric, static, name
         self.n = len(static.names)
         slopes = [{symbol.name: slope for symbol, slope in gradient(r).items()} for r in static.residuals]
@@ -40,13 +40,13 @@ class FoldEquations:
             slopes[i][ties[k]] = slope
         self._nodes = [*static.residuals, *(row.get(each, static.scene.table.zero) for row in slopes
                                             for each in static.names)]
-        self._last: tuple = (None, None)
+        self._last: tuple[Any, ...] = (None, None)
         x, p = self._beside(near), float(near[name])
         pushed = np.array(self._forces(x, p, Floats)[1], dtype=float).reshape(self.n, self.n)
         self.v0 = np.linalg.svd(pushed)[2][-1].tolist()
         self.near = [*x, p, *self.v0]
 
-    def _beside(self, near):
+    def _beside(self, near: Mapping[str, mpmath.mpf]) -> list[float]:
         """x in floats, of which coordinates that follow from others and forces of constraints are found by Newton's
         method, by least squares."""
         x, p = list(map(float, self.static.near)), float(near[self.name])
@@ -66,7 +66,7 @@ class FoldEquations:
         if self._last[0] != key:
             given = {self.name: rational(p) if isinstance(p, mpmath.mpf) else Fraction(float(p))}
             self._last = key, self.numeric.sharing(given).values(arithmetic)
-        return self._last[1]
+        return cast("Mapping[str, Any]", self._last[1])
 
     def residual(self, y: Sequence[Any], arithmetic: Any) -> list[Any]:
         """Of all unknowns."""
@@ -84,7 +84,8 @@ class FoldEquations:
         return evaluate([node], arithmetic, {**still, **self.known(y[self.n], arithmetic), **dict(zip(
             self.static.names, y[:self.n], strict=True))})[0]
 
-    def _forces(self, x, p, arithmetic):
+    def _forces(self, x: Sequence[float | mpmath.mpf], p: float | mpmath.mpf,
+                arithmetic: Any) -> tuple[list[float | mpmath.mpf], list[float | mpmath.mpf]]:
         found = evaluate(self._nodes, arithmetic, {**self.known(p, arithmetic), **dict(zip(
             self.static.names, x, strict=True))})
         return found[:self.n], found[self.n:]
@@ -92,7 +93,7 @@ class FoldEquations:
 
 def true_fold(fold: FoldEquations, node: "Node | None", size: float) -> TrueValues:
     """The parameter, or an expression of the coordinates there, whose digits count from a size on where it is less."""
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], float | mpmath.mpf]":
         arithmetic = multiprecision()
         y = list(newton(lambda *y: fold.residual(y, arithmetic), fold.near))
         if abs(y[fold.n] - fold.near[fold.n]) > CLOSE * abs(y[fold.n]):

@@ -5,7 +5,7 @@
 of a scene whose supports are released by displacements ρ.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signal_names import signal_name
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
 class TrueForces:
     """Of a Problem, in the symbols of a scene whose equations are followed."""
 
-    def __init__(self, problem: "Problem", scene: "Scene"):
+    def __init__(self, problem: "Problem", scene: "Scene") -> None:
         if problem.scene.freedom.redundant:
             raise PhysicsError("the scene is supported by more than it needs: no reference is found of its reactions")
         self._problem, self._followed = problem, scene
         self._released = take_over(problem.scene.with_released_supports(), problem.system.preloads)
         self._all = self._found()
 
-    def _found(self):
+    def _found(self) -> "dict[str, Node]":
         """{signal: node} in the symbols of the released scene."""
         scene = self._released
         parts, table, n = dynamics(scene), scene.table, len(scene.q)
@@ -55,10 +55,10 @@ class TrueForces:
         name, part, *_ = signal_name(text)
         if part in CONTACT:
             reaction = [self._all[f"{name}.reaction.{axis}"] for axis in "xy"]
-            return self._written(in_contact(part, normal_of(self._released, name), reaction))
-        return self._written(self._all[reaction_of(self._problem.system, text, self._all)])
+            return cast("Node", self._written(in_contact(part, normal_of(self._released, name), reaction)))
+        return cast("Node", self._written(self._all[reaction_of(self._problem.system, text, self._all)]))
 
-    def _written(self, node):
+    def _written(self, node: Any) -> Any:
         scene, followed = self._released, self._followed
         table, held = followed.table, {q.name for q in scene.released}
         known = {name: table.parameter(name, leaf in scene.table.positive)

@@ -5,7 +5,7 @@ x = D⁻¹ b has the rates D x′ = b′ − D′ x and D x″ = b″ − 2 D′
 """
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import mpmath
 import numpy as np
@@ -46,7 +46,7 @@ def transfer(problem: "Problem", signal: str, driver: str) -> Transfer:
 
 def in_floats(exact: Transfer) -> Transfer:
     """The same as arrays."""
-    def array(x):
+    def array(x: mpmath.matrix) -> np.ndarray:
         found = np.array(x.tolist(), dtype=complex)
         return found if found.imag.any() else found.real
 
@@ -68,7 +68,7 @@ def at(exact: Transfer, Omega: Any) -> list[Any]:
             _dot(c[2], x) + 2 * _dot(c[1], y) + _dot(c[0], z) + d[2]]
 
 
-def _dot(one, two):
+def _dot(one: mpmath.matrix, two: mpmath.matrix) -> mpmath.mpc:
     return sum(x * y for x, y in zip(one, two, strict=True))
 
 
@@ -83,7 +83,7 @@ def peak(problem: "Problem", signal: str, driver: str, number: int, place: bool)
     if number > len(near):
         raise PhysicsError(f"the reference finds {len(near)} peaks")
 
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], None]":
         exact = transfer(problem, signal, driver)
         Omega = _turn(exact, mpmath.mpf(near[number - 1]))
         return [Omega if place else abs(at(exact, Omega)[0])], None
@@ -110,7 +110,7 @@ def half_power(problem: "Problem", signal: str, driver: str, number: int) -> Tru
     top = tops[(number - 1) // 2]
     near = fallen(np.abs(values(curve, grid(curve))), grid(curve), top, number % 2 == 1)
 
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], None]":
         exact = transfer(problem, signal, driver)
         level, Omega = abs(at(exact, _turn(exact, mpmath.mpf(top)))[0]) ** 2 / 2, mpmath.mpf(near)
         for _ in range(STEPS):
@@ -140,7 +140,7 @@ def fallen(size: np.ndarray, Omega: np.ndarray, top: float, below: bool) -> floa
 def extremes(curve: Transfer, sense: int) -> list[float]:
     """The places of all maxima of |H| that the grid shows, or minima (sense −1)."""
     Omega = grid(curve)
-    return Omega[tops(sense * np.abs(values(curve, Omega)))].tolist()
+    return cast("list[float]", Omega[tops(sense * np.abs(values(curve, Omega)))].tolist())
 
 
 def tops(samples: np.ndarray) -> np.ndarray:
@@ -173,10 +173,10 @@ def values(curve: Transfer, Omega: np.ndarray) -> np.ndarray:
     D = curve.K + s[:, :, None] * curve.C + s[:, :, None] ** 2 * curve.M
     x = np.linalg.solve(D, b[:, :, None])[:, :, 0]
     s = s[:, 0]
-    return (c * x).sum(axis=1) + curve.d[0] + s * (curve.d[1] + s * curve.d[2])
+    return cast("np.ndarray", (c * x).sum(axis=1) + curve.d[0] + s * (curve.d[1] + s * curve.d[2]))
 
 
-def _turn(exact, Omega):
+def _turn(exact: Transfer, Omega: mpmath.mpf) -> mpmath.mpf:
     """Where |H| has an extreme, by Newton's method: with H′ = dH/ds, d|H|²/dΩ = −2 Im(H̄ H′)."""
     for _ in range(STEPS):
         H, first, second = at(exact, Omega)

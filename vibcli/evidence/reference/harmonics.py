@@ -4,6 +4,7 @@ s = inΩ, with the Fourier coefficients of the loads by quadrature between the i
     b_n = (2/T) ∫ Q(t) e^{−inΩt} dt,   T = 2π/Ω.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 WAVES, BENT = ("sin", "cos", "square", "sawtooth"), ("abs", "sign", "min", "max")
 
 
-def repeated(motion: Motion) -> tuple[HarmonicLoads, list]:
+def repeated(motion: Motion) -> "tuple[HarmonicLoads, list[Node]]":
     """(the loads, the angles of their waves) of a small motion; PhysicsError of others than waves of angles that grow
     evenly."""
     scene = motion.scene
@@ -37,7 +38,7 @@ def repeated(motion: Motion) -> tuple[HarmonicLoads, list]:
     return HarmonicLoads(motion, loads, rates), angles
 
 
-def transfer(loads: tuple[HarmonicLoads, list], node: "Node", number: int) -> tuple[Transfer, Any]:
+def transfer(loads: "tuple[HarmonicLoads, list[Node]]", node: "Node", number: int) -> tuple[Transfer, Any]:
     """(the response of a linear signal to harmonic n of all loads, nΩ) at the working precision."""
     known, angles = loads
     numbers, Omega = rate(known)
@@ -45,7 +46,7 @@ def transfer(loads: tuple[HarmonicLoads, list], node: "Node", number: int) -> tu
     starts = evaluate(angles, arithmetic, {**numbers, scene.time.name: mpmath.mpf(0)})
     ends = sorted({0, period, *(part * period for start in starts for part in _bends(start / (2 * mpmath.pi)))})
 
-    def phasors(nodes):
+    def phasors(nodes: "Sequence[Node]") -> "list[mpmath.mpc | mpmath.mpf]":
         return [mpmath.mpf(0) if not node.mask & scene.time.mask else 2 / period * mpmath.quad(
             lambda t, node=node: evaluate([node], arithmetic, {**numbers, scene.time.name: t})[0] * mpmath.expj(
                 -number * Omega * t), ends) for node in nodes]
@@ -53,14 +54,14 @@ def transfer(loads: tuple[HarmonicLoads, list], node: "Node", number: int) -> tu
     return response(known, node, phasors), number * Omega
 
 
-def _bends(turned):
+def _bends(turned: mpmath.mpf) -> list[mpmath.mpf]:
     """Parts of a period at which an angle that begins at so many turns is a whole number of half ones."""
     return [mpmath.fmod(k / mpmath.mpf(2) - turned, 1) % 1 for k in range(2)]
 
 
-def harmonic(loads: tuple[HarmonicLoads, list], node: "Node", number: int) -> TrueValues:
+def harmonic(loads: "tuple[HarmonicLoads, list[Node]]", node: "Node", number: int) -> TrueValues:
     """Its amplitude |X_n|, 0 where rounding is all that is left of it; about: that of the first harmonic."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         fundamental = transfer(loads, node, 1)
         if not max(map(abs, fundamental[0].b[0])) > mpmath.mpf(10) ** (10 - mpmath.mp.dps) * _size(loads[0]):
             raise PhysicsError("this load may repeat itself within the period of its waves: no reference is found")
@@ -70,7 +71,7 @@ def harmonic(loads: tuple[HarmonicLoads, list], node: "Node", number: int) -> Tr
     return settled(found, DIGITS, sized=True)
 
 
-def _size(known):
+def _size(known: HarmonicLoads) -> mpmath.mpf:
     """The largest of some values of the loads."""
     numbers, Omega = rate(known)
     return max(abs(x) for part in TRIED for x in evaluate(known.loads, multiprecision(), {

@@ -6,6 +6,7 @@ waves, each of which runs through all values beside all of the others (Weyl 1916
 by more and more samples of each angle until two of their numbers give the same.
 """
 
+from collections.abc import Mapping, Sequence
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +22,7 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
+
     from vibcli.symbolic.node import Node
 
 SAMPLES = (6, 9, 14, 21, 32)        # of each angle
@@ -46,7 +48,7 @@ def steady_waves(motion: Motion, node: "Node") -> ManyWaves:
 
 def over_all_times(known: ManyWaves, head: str) -> TrueValues:
     """The mean or rms value of the signal; about: its largest magnitude."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         number, size = _mean(known, 2 if head == "rms" else 1)
         return [mpmath.sqrt(number) if head == "rms" else number], size
 
@@ -67,7 +69,7 @@ def at_the_start(known: ManyWaves) -> tuple[float, list[float], list[float]]:
             [max(size, least) for size in sizes])
 
 
-def _mean(known, power):
+def _mean(known: ManyWaves, power: int) -> tuple[mpmath.mpf, mpmath.mpf]:
     """(the mean of a power of the signal, its largest magnitude)."""
     motion, (node, found) = known.motion, (known.waves.nodes[-1], known.waves._replace(nodes=known.waves.nodes[:-1]))
     numbers = {**motion.values(mpmath.mp.prec), motion.scene.time.name: mpmath.mpf(0)}
@@ -88,7 +90,8 @@ def _mean(known, power):
     raise PhysicsError("no reference is found of the mean of a signal that bends, or has very many waves")
 
 
-def _moved(motion, still, loads):
+def _moved(motion: Motion, still: list[mpmath.mpf],
+           loads: Sequence[tuple[Any, list[Any]]]) -> tuple[mpmath.matrix, list[tuple[mpmath.mpf, mpmath.matrix]]]:
     """(where loads hold the coordinates in the mean, [(Ω, phasors of the coordinates)])."""
     n = len(motion.scene.q)
     numbers = motion.values(mpmath.mp.prec)
@@ -101,7 +104,9 @@ def _moved(motion, still, loads):
                     for Omega, Q in loads]
 
 
-def _at(known, node, numbers, parts, times, turns):
+def _at(known: ManyWaves, node: "Node", numbers: Mapping[str, mpmath.mpf],
+        parts: tuple[mpmath.matrix, list[tuple[mpmath.mpf, mpmath.matrix]], list[tuple[mpmath.mpf, mpmath.mpc]]],
+        times: Any, turns: Sequence[mpmath.mpf]) -> mpmath.mpf:
     """The signal where the angles of the independent waves have turned so far."""
     scene, (middle, moved, seen) = known.motion.scene, parts
     angle = [mpmath.expjpi(2 * sum(n * turn for n, turn in zip(one, turns, strict=True))) for one in times]
@@ -118,7 +123,7 @@ def _at(known, node, numbers, parts, times, turns):
     return evaluate([node], multiprecision(), values)[0]
 
 
-def _independent(every: list) -> tuple[list, list[tuple[int, ...]]]:
+def _independent(every: Sequence[mpmath.mpf]) -> tuple[list[mpmath.mpf], list[tuple[int, ...]]]:
     """(frequencies of which each of all is a whole multiple of one, {multiples of them} of each); PhysicsError where
     other relations of whole numbers hold between these."""
     bases: list[Any] = []
@@ -135,7 +140,7 @@ def _independent(every: list) -> tuple[list, list[tuple[int, ...]]]:
                    for Omega in every]
 
 
-def _shares(ratio):
+def _shares(ratio: mpmath.mpf) -> tuple[int, int] | None:
     """(p, q) of a ratio p/q of small whole numbers, else None."""
     for q in range(1, TIMES + 1):
         p = mpmath.nint(q * ratio)

@@ -41,9 +41,9 @@ def eigenvalues(elements: Elements, count: int) -> TrueValues:
         raise PhysicsError("no reference is found of damped modes where members rest anywhere")
     if any(abs(b - a) <= NEAR * abs(b) for a, b in pairwise(near)):
         raise PhysicsError("two damped modes are so close that no reference is found of them")
-    last: list = near[:count]
+    last: list[Any] = near[:count]
 
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpc], None]":
         data = elements(mpmath.mp.dps)
         last[:] = [_root(data, start, at) for start, at in zip(last, near, strict=False)]
         return list(last), None
@@ -69,7 +69,7 @@ def by_elements(elements: "FactoredSystem", divisions: int) -> list[complex]:
     return [complex(x) for x in found[np.abs(found) < LARGE * np.abs(found[:1])]]
 
 
-def _root(elements, start, near):
+def _root(elements: "FactoredSystem", start: complex | mpmath.mpc, near: complex) -> mpmath.mpc:
     """By secants."""
     x, y = mpmath.mpmathify(start), mpmath.mpmathify(start) * (1 - mpmath.mpf(STEP))
     at_x, at_y = (determinant(elements, -p * p, p) for p in (x, y))

@@ -22,6 +22,7 @@ from vibcli.evidence.reference.member_starts import StartedMembers, started_memb
 from vibcli.evidence.reference.settled import TrueValues, settled
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.exponential_polynomials import ExponentialPolynomial
     from vibcli.results.problem import Problem
 
 DIGITS, START, GROWTH, LIMIT = 40, 64, 1.5, 512
@@ -36,13 +37,13 @@ class ArrivedFront(NamedTuple):
     """What a signal gains from an instant on: Σ cⱼ τʲ/j!, from `terms` cⱼ/j!."""
 
     delay: Any
-    terms: list
+    terms: list[Any]
 
 
 class SignalInFronts:
     """y = held + the sum of fronts, up to an instant."""
 
-    def __init__(self, held: Any, fronts: list[ArrivedFront], until: Any):
+    def __init__(self, held: Any, fronts: list[ArrivedFront], until: Any) -> None:
         self.held, self.fronts, self.until = held, fronts, until
 
     def at(self, t: Any, arrived: int | None = None) -> tuple[Any, Any]:
@@ -90,7 +91,8 @@ class SignalInFronts:
         t = min(t for t, y in tops if sense * y >= best - small)
         return t, sense * best, size
 
-    def _turn(self, one, two):
+    def _turn(self, one: tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf, int],
+              two: tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf, int]) -> tuple[mpmath.mpf, mpmath.mpf]:
         number, sign = one[3], mpmath.sign(one[2])
         t = mpmath.findroot(lambda t: sign * self.at(t, number)[1], (one[0], two[0]), solver="anderson", verify=False,
                             tol=mpmath.eps * 10**10, maxsteps=STEPS)
@@ -116,12 +118,12 @@ def in_fronts(problem: "Problem", signal: str, until: Any) -> SignalInFronts:
 
 
 @lru_cache(maxsize=8)
-def _kept(problem, signal, until, _digits):
+def _kept(problem: "Problem", signal: str, until: float, _digits: int) -> SignalInFronts:
     """Kept for other features, as far as each number of digits goes."""
     return in_fronts(problem, signal, until)
 
 
-def _terms(images, radius, largest):
+def _terms(images: list[mpmath.mpc], radius: mpmath.mpf, largest: mpmath.mpf) -> list[mpmath.mpf]:
     """cⱼ/j! of an image at the points of half of a circle, from s = R on, without the last that are nothing."""
     means = _transformed([*images, *(mpmath.conj(x) for x in images[-2:0:-1])])
     means, found, factor = [*means[1:], means[0]], [], radius / len(means)
@@ -134,7 +136,7 @@ def _terms(images, radius, largest):
     return found
 
 
-def _transformed(values):
+def _transformed(values: list[mpmath.mpc]) -> list[mpmath.mpc]:
     """Σ vₘ e^{2πi jm/n} of so many values, a power of two."""
     if len(values) == 1:
         return values
@@ -143,7 +145,7 @@ def _transformed(values):
     return [a + b for a, b in zip(even, turned, strict=True)] + [a - b for a, b in zip(even, turned, strict=True)]
 
 
-def _images(members, s, until):
+def _images(members: StartedMembers, s: mpmath.mpc, until: mpmath.mpf) -> dict[int, tuple[mpmath.mpf, mpmath.mpc]]:
     """{a whole number by it: (delay, image)} of what comes later by it."""
     images, found = MemberImages(members, s), {}
     inverse, unit = images.A ** -1, 10**SAME / until
@@ -173,10 +175,11 @@ def _images(members, s, until):
     return found
 
 
-def sources(members: StartedMembers, images: MemberImages) -> "Iterator[tuple[Any, tuple[list, list]]]":
+def sources(members: StartedMembers,
+            images: MemberImages) -> "Iterator[tuple[mpmath.mpf, tuple[list[Any], list[ExponentialPolynomial]]]]":
     """[(instant, (right side, fields))] of the start, and of all instants at which what moves the inputs changes."""
     yield mpmath.mpf(0), images.started()
-    changes: dict[Any, dict] = {}
+    changes: dict[Any, dict[Any, Any]] = {}
     for i, parts in members.inputs.items():
         before = NOTHING
         for part in parts:
@@ -189,7 +192,7 @@ def sources(members: StartedMembers, images: MemberImages) -> "Iterator[tuple[An
 
 def at_instant(problem: "Problem", signal: str, t: Any) -> TrueValues:
     """The value of a signal at t(), an instant; about: its largest size until then."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         until = t()
         if not until:
             value = started_members(problem, signal, until).at_first()
@@ -204,7 +207,7 @@ def at_instant(problem: "Problem", signal: str, t: Any) -> TrueValues:
 def extremes(problem: "Problem", signal: str, until: Any, sense: int, instant: bool) -> TrueValues:
     """The largest or smallest value of a signal until an instant, or where it has it; about: its largest size, or
     `until`."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         t, top, size = _kept(problem, signal, until, mpmath.mp.dps).extreme(sense)
         return ([t], mpmath.mpf(until)) if instant else ([top], size)
 

@@ -9,7 +9,7 @@ the ends of pieces moving with q. What runs along a piece comes e^{−kⱼ l} la
 
 from collections.abc import Mapping
 from math import perm
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
@@ -18,6 +18,11 @@ from vibcli.evidence.reference.exponential_polynomials import NOTHING, Exponenti
 from vibcli.evidence.reference.member_starts import StartedMembers
 from vibcli.evidence.reference.members import at_ends
 from vibcli.numerics.pieces.piece import Piece
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.factored_system import PlacedPiece
 
 
 class RunningPart(NamedTuple):
@@ -29,7 +34,7 @@ class RunningPart(NamedTuple):
     rest: Any
 
 
-def wave_numbers(piece: Piece, s: Any, numbers: Any = mpmath) -> list:
+def wave_numbers(piece: Piece, s: Any, numbers: Any = mpmath) -> "list[mpmath.mpc | np.ndarray]":
     """kⱼ with Re k ≥ 0 where s is to the right of all that vibrates; of beams without a jump about imaginary s."""
     kappa, sqrt = piece.reaction(s), numbers.sqrt
     if piece.order == 2:
@@ -46,7 +51,7 @@ def delay(piece: Piece, numbers: Any = mpmath) -> Any:
 class MemberImages:
     """The equations of StartedMembers at s: those without what has run along pieces, and RunningParts."""
 
-    def __init__(self, members: StartedMembers, s: Any, numbers: Any = mpmath):
+    def __init__(self, members: StartedMembers, s: Any, numbers: Any = mpmath) -> None:
         self.members, self.s, self.numbers, elements = members, s, numbers, members.elements
         self.waves = [wave_numbers(placed.piece, s, numbers) for placed in elements.pieces]
         self.columns, size = [], elements.n
@@ -65,7 +70,7 @@ class MemberImages:
         self.entries = {pair: x for pair, x in self.entries.items() if pair[0] not in self.given}
         self._put(dict.fromkeys(zip(self.given, self.given, strict=True), 1))
 
-    def _put(self, entries):
+    def _put(self, entries: "Mapping[tuple[int, int], float | mpmath.mpc | mpmath.mpf | np.ndarray]") -> None:
         for pair, x in entries.items():
             self.entries[pair] = self.entries.get(pair, 0) + x
 
@@ -87,7 +92,7 @@ class MemberImages:
                 found[pair] = found.get(pair, 0) + x * part.rest * late
         return found
 
-    def _add(self, number):
+    def _add(self, number: int) -> None:
         placed, waves, column = self.members.elements.pieces[number], self.waves[number], self.columns[number]
         piece, none = placed.piece, [0] * len(waves)
         begin = [[x for k in waves for x in ((-k) ** m, 0)] for m in range(4)]
@@ -96,7 +101,8 @@ class MemberImages:
         for place, row in enumerate(placed.rows):
             self._put({(column + place, i): -x for i, x in row.items()})
         for j, k in enumerate(waves):
-            def only(pair, j=j):
+            def only(pair: "tuple[int | mpmath.mpc, int | mpmath.mpc | np.ndarray]",
+                     j: int = j) -> "list[int | mpmath.mpc | np.ndarray]":
                 return [*none[:j], *none[:j], *pair, *none[j + 1:], *none[j + 1:]]
 
             begin, end = ([only((0, k**m)) for m in range(4)], [only(((-k) ** m, 0)) for m in range(4)])
@@ -105,7 +111,7 @@ class MemberImages:
                 placed, column, at_ends(piece, begin, end)).items() if is_some(x) and pair[0] not in self.given},
                 self.numbers.exp(-late)))
 
-    def _ends(self, placed, column, ends):
+    def _ends(self, placed: "PlacedPiece", column: int, ends: Any) -> dict[tuple[int, int], Any]:
         """{(i, j): what fields do to equations of ends and of coordinates} of (displacements, forces) at ends."""
         found: dict[tuple[int, int], Any] = {}
         for place, (row, move, force) in enumerate(zip(placed.rows, *ends, strict=True)):
@@ -115,7 +121,7 @@ class MemberImages:
                     found[i, column + k] = found.get((i, column + k), 0) + x * f
         return found
 
-    def started(self) -> tuple[list, list]:
+    def started(self) -> tuple[list[int], list[ExponentialPolynomial]]:
         """(right sides, uₚ of each piece) of what it starts with."""
         s, elements = self.s, self.members.elements
         right, (q, v), (M, C, G, _) = [0] * self.size, self.members.start, self.lumped
@@ -127,7 +133,7 @@ class MemberImages:
                   for placed, (u, rate) in zip(elements.pieces, self.members.fields, strict=True)]
         return self._with_fields(right, fields, {})
 
-    def loaded(self, images: Mapping[int, Any]) -> tuple[list, list]:
+    def loaded(self, images: Mapping[int, Any]) -> tuple[list[int | mpmath.mpc], list[ExponentialPolynomial]]:
         """The same of inputs that have these images."""
         fields = [sum((part.along * images[part.input] for part in self.members.spread
                        if part.piece == number and part.input in images), NOTHING)
@@ -136,7 +142,8 @@ class MemberImages:
             _particular(placed.piece, self.s, f) for placed, f in zip(
                 self.members.elements.pieces, fields, strict=True)], images)
 
-    def _with_fields(self, right, fields, images):
+    def _with_fields(self, right: list[Any], fields: list[ExponentialPolynomial],
+                     images: Mapping[int, mpmath.mpc]) -> tuple[list[Any], list[ExponentialPolynomial]]:
         for placed, column, field in zip(self.members.elements.pieces, self.columns, fields, strict=True):
             if field.terms:
                 begin, end = ([[x] for x in slopes_at(field, place, self.numbers)]
@@ -173,7 +180,7 @@ class MemberImages:
         return sum(x * self.numbers.exp(-self.s * late) if late else x for late, x in self.along(column_values, field))
 
 
-def slopes_at(field: ExponentialPolynomial, x: Any, numbers: Any = mpmath) -> list:
+def slopes_at(field: ExponentialPolynomial, x: Any, numbers: Any = mpmath) -> "list[mpmath.mpc | np.ndarray]":
     """[u, u′, u″, u‴] at a place, complex numbers."""
     found = []
     for _ in range(4):
@@ -182,7 +189,7 @@ def slopes_at(field: ExponentialPolynomial, x: Any, numbers: Any = mpmath) -> li
     return found
 
 
-def _particular(piece, s, load):
+def _particular(piece: Piece, s: mpmath.mpc, load: ExponentialPolynomial) -> ExponentialPolynomial:
     """uₚ of B u⁗ − N u″ + κ u = f: of L(D) with D = λ + ∂ on powers of x, from the highest one down."""
     B, N, kappa, found = piece.bending, piece.tension, piece.reaction(s), {}
     for rate in {rate for rate, _ in load.terms}:

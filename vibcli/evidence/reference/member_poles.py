@@ -8,14 +8,18 @@ has, changes its sign; what damps moves them from there on, little by little. Ea
 (two-sided iteration, Ostrowski 1959), the last time in NumPy's longest floats, with v and w of usual ones.
 """
 
+from collections.abc import Mapping
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.evidence.reference.member_images import MemberImages
 from vibcli.evidence.reference.member_starts import StartedMembers
+
+if TYPE_CHECKING:
+    import mpmath
 
 BLOCK = 2048            # half waves in the pieces, the poles up to which are found together
 LOW, FIRST = 1e-4, 400      # of the first wave that fits in, where frequencies are looked for, and at how many places
@@ -37,10 +41,10 @@ class NearPoles(NamedTuple):
 
 def in_floats(members: StartedMembers, kind: Any = float) -> StartedMembers:
     """The same in floats, of a kind of NumPy's."""
-    def number(x):
-        return kind(str(x))
+    def number(x: "mpmath.mpf") -> float:
+        return cast("float", kind(str(x)))
 
-    def numbers(part):
+    def numbers(part: "Mapping[int, mpmath.mpf]") -> "dict[int, float]":
         return {i: number(x) for i, x in part.items()}
 
     row = members.row and members.row._replace(q=numbers(members.row.q), v=numbers(members.row.v),
@@ -80,7 +84,7 @@ def arrays(members: StartedMembers, s: np.ndarray) -> np.ndarray:
 class PoleSearch:
     """The poles of StartedMembers, block by block."""
 
-    def __init__(self, members: StartedMembers):
+    def __init__(self, members: StartedMembers) -> None:
         self.members, self.finest = in_floats(members), in_floats(members, np.longdouble)
         self._plain = damped_in_part(self.members, 0.0)
         self._pieces = [placed.piece for placed in self.members.elements.pieces]
@@ -91,13 +95,14 @@ class PoleSearch:
         """Of a block, in entries of matrices."""
         elements = self.members.elements
         size = elements.n + sum(piece.order for piece in self._pieces)
-        return BLOCK * size**2 * (FINE + 4 * (LAST + STEPS * (PARTS - 1) * bool(elements.damps)))
+        return cast("int", BLOCK * size**2 * (FINE + 4 * (LAST + STEPS * (PARTS - 1) * bool(elements.damps))))
 
     def waves(self, omega: np.ndarray) -> np.ndarray:
         """How many half waves fit into the pieces, of waves that run: about as many frequencies are below."""
         images = MemberImages(self._plain, 1j * omega, np)
-        return sum(np.where(_runs(k), np.abs(k.imag), 0.0) * piece.length
-                   for piece, waves in zip(self._pieces, images.waves, strict=True) for k in waves) / np.pi
+        found: np.ndarray = sum(np.where(_runs(k), np.abs(k.imag), 0.0) * piece.length
+                                for piece, waves in zip(self._pieces, images.waves, strict=True) for k in waves) / np.pi
+        return found
 
     def block(self, number: int) -> NearPoles:
         """Those of one block, the lowest being number 0."""
@@ -113,7 +118,7 @@ class PoleSearch:
         return self._known[number]
 
     @cached_property
-    def _first(self):
+    def _first(self) -> float:
         """An ω at which half a wave fits into the pieces."""
         omega = 1.0
         while self.waves(np.array([omega]))[0] > 0.5:
@@ -122,7 +127,7 @@ class PoleSearch:
             omega *= 2
         return omega
 
-    def _frequencies(self, number):
+    def _frequencies(self, number: int) -> np.ndarray:
         """Without what damps, by signs on a grid."""
         low = top = self._first
         while self.waves(np.array([top]))[0] < (number + 1) * BLOCK + 1:
@@ -142,12 +147,12 @@ class PoleSearch:
             low, high = np.where(same, middle, low), np.where(same, high, middle)
         return (low + high) / 2
 
-    def _running(self, omega):
+    def _running(self, omega: np.ndarray) -> Any:
         """How many waves run: where one begins to, on a foundation, its two ways are one, which is no pole."""
         images = MemberImages(self._plain, 1j * omega, np)
         return sum(_runs(k).astype(int) for waves in images.waves for k in waves)
 
-    def _sign(self, omega):
+    def _sign(self, omega: np.ndarray) -> np.ndarray:
         """Of the determinant at iω, each pair of waves e^{∓ikx} counted as sine and cosine."""
         images = MemberImages(self._plain, 1j * omega, np)
         turned = np.ones(len(omega), complex)
@@ -155,15 +160,18 @@ class PoleSearch:
             for k in waves:
                 turned *= np.where(_runs(k), 1j * np.exp(1j * k.imag * piece.length), 1)
         sign = np.linalg.slogdet(balanced(arrays(self._plain, 1j * omega))[0])[0] * turned
-        return np.where(np.abs(sign.real) > np.abs(sign.imag), np.sign(sign.real), np.sign(sign.imag))
+        found: np.ndarray = np.where(np.abs(sign.real) > np.abs(sign.imag), np.sign(sign.real), np.sign(sign.imag))
+        return found
 
-    def _step(self, members, p, apart):
+    def _step(self, members: StartedMembers, p: np.ndarray,
+              apart: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         A = arrays(members, p)
         scaled, rows, columns = balanced(A)
         v, w = null_vectors(scaled) * columns, null_vectors(np.swapaxes(scaled, -1, -2)) * rows
         return p - _form(w, A, v) / _form(w, _slope(members, p, apart), v), v, w
 
-    def with_residues(self, number: int, members: StartedMembers, sources: Any) -> tuple:
+    def with_residues(self, number: int, members: StartedMembers,
+                      sources: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(p in longer floats, residues of the signal of `members`, each source a row, what rounding may leave of them)
         of a block; sources: of MemberImages, [(right side, fields)]."""
         p, v, w, apart = self.block(number)
@@ -178,20 +186,20 @@ class PoleSearch:
                 np.array([sum(part) * seen for part in terms], np.clongdouble), rounding)
 
 
-def _runs(k):
+def _runs(k: np.ndarray) -> np.ndarray:
     """Of waves e^{∓kx}, as none of those do that a foundation holds back."""
-    return np.abs(k.real) < 1e-9 * np.abs(k.imag)
+    return cast("np.ndarray", np.abs(k.real) < 1e-9 * np.abs(k.imag))
 
 
-def _slope(members, p, apart):
+def _slope(members: StartedMembers, p: np.ndarray, apart: np.ndarray) -> np.ndarray:
     """A′"""
     step = 1j * SLOPE * apart
     one, two = (arrays(members, p + k * step) - arrays(members, p - k * step) for k in (1, 2))
-    return (8 * one - two) / (12 * step)[:, None, None]
+    return cast("np.ndarray", (8 * one - two) / (12 * step)[:, None, None])
 
 
-def _form(w, A, v):
-    return ((A * v[:, None, :]).sum(-1) * w).sum(-1)
+def _form(w: np.ndarray, A: np.ndarray, v: np.ndarray) -> np.ndarray:
+    return cast("np.ndarray", ((A * v[:, None, :]).sum(-1) * w).sum(-1))
 
 
 def balanced(A: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

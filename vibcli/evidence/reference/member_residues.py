@@ -1,8 +1,8 @@
 """Residues of Laplace images of members in time at their poles: of the first to the working precision, of those that
 follow in NumPy's longest floats, as few digits of their small residues count."""
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 import numpy as np
@@ -10,6 +10,9 @@ import numpy as np
 from vibcli.evidence.reference.member_images import MemberImages
 from vibcli.evidence.reference.member_poles import PoleSearch, in_floats
 from vibcli.evidence.reference.member_starts import StartedMembers
+
+if TYPE_CHECKING:
+    from vibcli.evidence.reference.exponential_polynomials import ExponentialPolynomial
 
 LARGE, MANY = 1e-24, 150    # rounding, of the largest residue, with which these need all digits, and how many may
 FEWEST, WORK = 8, 2e5       # of them in any case, and products that eliminations may take
@@ -20,7 +23,8 @@ CLOSE = 1e-25           # distance of places at which residues are read, relativ
 class PoleResidues:
     """Those of images of a signal; sources: of MemberImages, [(right side, fields)] of each of them."""
 
-    def __init__(self, members: StartedMembers, search: PoleSearch, sources: Callable[[MemberImages], list]):
+    def __init__(self, members: StartedMembers, search: PoleSearch,
+                 sources: "Callable[..., list[tuple[list[Any], list[ExponentialPolynomial]]]]") -> None:
         self.members, self._search, self._sources, self._floats = members, search, sources, in_floats(members)
         p, c, rounding = self.block(0)
         large = np.flatnonzero((rounding > LARGE * np.abs(c).max(axis=1, keepdims=True)).any(axis=0))
@@ -29,26 +33,26 @@ class PoleResidues:
         self.few = [self.exact(exactly(x.real) + 1j * exactly(x.imag)) for x in p[:first]]
         self.rest = p[first:], c[:, first:], rounding[:, first:].sum(axis=0)
 
-    def block(self, number: int) -> tuple:
+    def block(self, number: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(p, residues, what rounding may leave of these) of a block of poles in longer floats."""
         return self._search.with_residues(number, self._floats, self._sources)
 
-    def images(self, s: Any) -> list:
+    def images(self, s: Any) -> list[mpmath.mpc]:
         """The images at s."""
         images = MemberImages(self.members, s)
         every = self._sources(images)
         found = _solved(images, [right for right, _ in every])
         return [images.signal(x, fields) for x, (_, fields) in zip(found, every, strict=True)]
 
-    def exact(self, near: Any) -> tuple[Any, list]:
+    def exact(self, near: Any) -> tuple[mpmath.mpc, list[mpmath.mpc]]:
         """(p, [the residue of each image]) of the pole next to a place."""
         p = self._pole(near)
         h = mpmath.mpf(CLOSE) * abs(p)
         return p, [h * (x - y) / 2 for x, y in zip(self.images(p + h), self.images(p - h), strict=True)]
 
-    def _pole(self, near):
+    def _pole(self, near: mpmath.mpc) -> mpmath.mpc:
         """By secants of 1/(bᵀ A⁻¹ b)."""
-        def size(s):
+        def size(s: mpmath.mpc) -> mpmath.mpc:
             images = MemberImages(self.members, s)
             probe = [mpmath.mpf(k % 3 + 1) for k in range(images.size)]
             x, = _solved(images, [probe])
@@ -72,7 +76,7 @@ def exactly(x: Any) -> Any:
     return mpmath.mpf(high) + mpmath.mpf(float(x - np.longdouble(high)))
 
 
-def _solved(images, rights):
+def _solved(images: MemberImages, rights: Sequence[list[int | mpmath.mpc | mpmath.mpf]]) -> list[list[mpmath.mpc]]:
     """The solutions of the whole equations, by elimination with pivots."""
     n = images.size
     A = [[mpmath.mpc(0)] * n + [mpmath.mpc(right[i]) for right in rights] for i in range(n)]

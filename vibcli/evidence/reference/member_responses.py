@@ -22,7 +22,9 @@ from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
     from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
     from vibcli.results.problem import Problem
+    from vibcli.scene.spread_forces import SpreadForce
 
 MOST = 12               # of the power of a load along a member
 SAME = 1e-20            # of a length: places nearer than that are one
@@ -34,8 +36,8 @@ class DrivenMembers(NamedTuple):
 
     elements: "FactoredSystem"
     n: int
-    spread: dict
-    rows: tuple
+    spread: dict[Any, Any]
+    rows: tuple[Any, ...]
     place: "PlaceOutput | None"
 
     def at(self, Omega: Any, given: Mapping[int, Any]) -> tuple[Any, Any]:
@@ -50,7 +52,7 @@ class DrivenMembers(NamedTuple):
             terms = [factor * x for x in self._along(found, z, s, given)]
         return mpmath.fsum(terms), mpmath.fsum(map(abs, terms))
 
-    def _loaded(self, z, s, given):
+    def _loaded(self, z: mpmath.mpf, s: mpmath.mpc, given: Mapping[int, Any]) -> tuple[mpmath.matrix, mpmath.matrix]:
         A = equations(self.elements, z, s)
         right = mpmath.zeros(A.rows, 1)
         for i in range(self.n, self.elements.n):
@@ -69,7 +71,7 @@ class DrivenMembers(NamedTuple):
             column += order
         return A, right
 
-    def _load(self, number, given):
+    def _load(self, number: int, given: Mapping[int, mpmath.mpf]) -> list[mpmath.mpc]:
         """The coefficients of what is spread along a piece."""
         found = [mpmath.mpc(0)] * (MOST + 1)
         for i, parts in self.spread.items():
@@ -78,7 +80,7 @@ class DrivenMembers(NamedTuple):
                     found = [x + given.get(i, 0) * y for x, y in zip(found, coefficients, strict=True)]
         return found
 
-    def _along(self, found, z, s, given):
+    def _along(self, found: mpmath.matrix, z: mpmath.mpf, s: mpmath.mpc, given: Mapping[int, Any]) -> list[mpmath.mpf]:
         """The terms of the derivative of u at the place."""
         number, share, order = self.place.piece, self.place.share, self.place.order
         piece = self.elements.pieces[number].piece
@@ -108,14 +110,14 @@ def driven_members(problem: "Problem", signal: str, about: PreciseConfiguration 
     return DrivenMembers(opened.elements, opened.n, _spread(opened), (row.q, row.v, row.a) if row else (), place)
 
 
-def _spread(opened):
+def _spread(opened: "SystemWithInputs") -> dict[Any, Any]:
     """{input: [(piece, coefficients)]} of a unit of each load along members that varies in time."""
     scene = opened.scene
     return {i: _on_pieces(opened, scene.spread_forces[one.spread]) for i, one in enumerate(
         scene.inputs.values(), opened.n) if one.spread is not None}
 
 
-def _on_pieces(opened, force):
+def _on_pieces(opened: "SystemWithInputs", force: "SpreadForce") -> list[tuple[int, list[mpmath.mpf]]]:
     """What a unit of a load does on pieces that lie within it."""
     found, (start, end) = [], evaluate([force.start, force.end], opened.arithmetic, opened.values)
     for number, placed in enumerate(opened.elements.pieces):
@@ -129,7 +131,7 @@ def _on_pieces(opened, force):
     return found
 
 
-def _taylor(opened, force, start, length):
+def _taylor(opened: "SystemWithInputs", force: "SpreadForce", start: mpmath.mpf, length: int) -> list[mpmath.mpf]:
     """The coefficients of (x/L)ᵏ of a load from the left end of a piece on."""
     node, found, factor = force.along, [], mpmath.mpf(1)
     for k in range(MOST + 1):
@@ -149,7 +151,7 @@ def driven_in_floats(problem: "Problem", signal: str, given: Callable[[], Mappin
     return _in_floats(exact), {i: complex(x) for i, x in inputs.items()}
 
 
-def _in_floats(exact):
+def _in_floats(exact: Any) -> DrivenMembers:
     rows = tuple({i: float(x) for i, x in row.items()} for row in exact.rows)
     spread = {i: [(piece, [float(x) for x in part]) for piece, part in parts] for i, parts in exact.spread.items()}
     place = exact.place and exact.place._replace(share=float(exact.place.share), factor=float(exact.place.factor))
@@ -166,7 +168,7 @@ def given_by(problem: "Problem", driver: str) -> Callable[[Any], dict[int, Any]]
 
 def value(problem: "Problem", signal: str, driver: str, Omega: Callable[[], Any]) -> TrueValues:
     """H at a frequency, which is evaluated at the working precision."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpc], None]":
         here = Omega()
         return [driven_members(problem, signal).at(here, given_by(problem, driver)(here))[0]], None
 

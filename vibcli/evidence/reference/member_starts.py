@@ -5,6 +5,7 @@ A force that lets go has held them: they start where it bends them, d, and move 
 y = d + y₋F.
 """
 
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -21,7 +22,9 @@ from vibcli.mechanics.precise_configuration import PreciseConfiguration
 from vibcli.symbolic.evaluation import evaluate
 
 if TYPE_CHECKING:
-    from vibcli.mechanics.factored_system import FactoredSystem
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.factored_system import FactoredSystem, PlacedPiece
+    from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
     from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
     from vibcli.results.problem import Problem
 
@@ -46,8 +49,8 @@ class StartedMembers(NamedTuple):
     end: int
     inputs: "dict[int, list[EvenStretch]]"
     spread: list[SpreadPart]
-    start: tuple[list, list]
-    fields: list[tuple[ExponentialPolynomial, ExponentialPolynomial]]
+    start: tuple[list[Any], list[Any]]
+    fields: list[tuple[ExponentialPolynomial, ...]]
     row: "LinearFunction | None"
     place: PlaceOutput | None
     held: Any
@@ -95,7 +98,7 @@ def started_members(problem: "Problem", signal: str, until: Any) -> StartedMembe
                           mpmath.re(held), holding)
 
 
-def _require_no_load_at_rest(near):
+def _require_no_load_at_rest(near: "Configuration") -> None:
     scene = near.scene
     loaded = any(not load.q.is_zero for load in scene.spread_loads)
     if scene.gravity or loaded or any(near.equilibrium.values.values()):
@@ -104,11 +107,11 @@ def _require_no_load_at_rest(near):
         raise PhysicsError("no reference in time is found of members whose tension varies along them")
 
 
-def _lets_go(problem, opened, number):
+def _lets_go(problem: "Problem", opened: "SystemWithInputs", number: int) -> bool:
     return list(opened.scene.inputs.values())[number - opened.n].name == problem.spec.let_go
 
 
-def _inputs(problem, opened, until):
+def _inputs(problem: "Problem", opened: "SystemWithInputs", until: mpmath.mpf) -> dict[int, list[EvenStretch]]:
     """{number of an input: what moves it}, of a force that lets go its opposite."""
     scene, found = opened.scene, {}
     known = {name: x for name, x in opened.values.items() if name != scene.time.name}
@@ -127,7 +130,7 @@ def _inputs(problem, opened, until):
     return found
 
 
-def _spread(opened, force, number):
+def _spread(opened: "SystemWithInputs", force: Any, number: int) -> Iterator[Any]:
     """The SpreadParts of a load along a member, on pieces that lie within it."""
     start, end = evaluate([force.start, force.end], opened.arithmetic, opened.values)
     known = {name: x for name, x in opened.values.items() if name != force.x.name}
@@ -143,12 +146,13 @@ def _spread(opened, force, number):
         yield SpreadPart(number, piece, inside[0].function.from_(left))
 
 
-def _with_fields(problem, opened):
+def _with_fields(problem: "Problem", opened: "SystemWithInputs"
+                 ) -> "tuple[FactoredSystem, dict[int, list[tuple[int, Any]]], list[tuple[Any, ...]]]":
     """(elements whose pieces end where a field bends, {piece: [(its number there, how far on)]}, the fields)."""
     given, scene = member_fields(problem.scene), problem.scene
     known = {name: x for name, x in opened.values.items() if name != scene.time.name}
     elements, cuts, fields, n = opened.elements, {}, [], opened.elements.n
-    pieces: list = []
+    pieces: list[Any] = []
     for number, placed in enumerate(elements.pieces):
         own, end = given.get(placed.owner), placed.start + placed.piece.length
         both = [stretches(scene.table.zero if node is None else node, scene.time, known, end)
@@ -164,11 +168,11 @@ def _with_fields(problem, opened):
     return elements.with_parts(n=n, pieces=pieces), cuts, fields
 
 
-def _at(parts, place):
+def _at(parts: Sequence[EvenStretch], place: mpmath.mpf) -> ExponentialPolynomial:
     return next(part.function for part in parts if part.end is None or place < part.end)
 
 
-def _cut(placed, places, n):
+def _cut(placed: "PlacedPiece", places: Sequence[Any], n: int) -> "list[PlacedPiece]":
     """A piece in parts, between which it has coordinates of their own from n on."""
     found, half = [], placed.piece.order // 2
     for place in places:
@@ -181,14 +185,17 @@ def _cut(placed, places, n):
     return [*found, placed]
 
 
-def _in_parts(place, cuts, before, after):
+def _in_parts(place: PlaceOutput, cuts: Mapping[int, list[tuple[int, mpmath.mpf]]], before: "tuple[PlacedPiece, ...]",
+              after: "tuple[PlacedPiece, ...]") -> PlaceOutput:
     """The same place on the part of its piece on which it lies."""
     at = place.share * before[place.piece].piece.length
     number, offset = [one for one in cuts[place.piece] if one[1] <= at][-1]
     return place._replace(piece=number, share=(at - offset) / after[number].piece.length)
 
 
-def _start(problem, opened, elements, fields, moves):
+def _start(problem: "Problem", opened: "SystemWithInputs", elements: "FactoredSystem",
+           fields: Sequence[tuple[ExponentialPolynomial, ...]],
+           moves: Mapping[int, list[EvenStretch]]) -> tuple[list[mpmath.mpf], list[mpmath.mpf]]:
     """(q, q̇) of all coordinates, by the fields where members start with these."""
     record, scene = problem.spec.get("initial"), problem.scene
     places, speeds = ([mpmath.mpf(0)] * elements.n for _ in range(2))
@@ -211,12 +218,12 @@ def _start(problem, opened, elements, fields, moves):
     return places, speeds
 
 
-def _ends(placed):
+def _ends(placed: "PlacedPiece") -> list[tuple[dict[int, mpmath.mpf], mpmath.mpf, int]]:
     half = placed.piece.order // 2
     return [(row, placed.piece.length if k >= half else mpmath.mpf(0), k % half) for k, row in enumerate(placed.rows)]
 
 
-def _require_alike(problem, places, speeds):
+def _require_alike(problem: "Problem", places: list[mpmath.mpf], speeds: list[mpmath.mpf]) -> None:
     """PhysicsError where the program's start in floats is another one."""
     if problem.configuration.preloaded is not None:
         return

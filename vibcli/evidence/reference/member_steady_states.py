@@ -81,7 +81,7 @@ def phasor(given: GivenInputs, signal: str) -> tuple[Any, Any, Any]:
 
 def of_wave(given: GivenInputs, signal: str, head: str) -> TrueValues:
     """The amplitude |X| of a signal, or the lag θ of X sin(Ωt − θ), −π < θ ≤ π."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], None]":
         X, _, _ = phasor(given, signal)
         return [_READ[head](X)], None
 

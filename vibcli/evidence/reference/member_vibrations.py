@@ -1,7 +1,7 @@
 """Values and extremes of beams in time, and of what is joined with them, by the poles of Laplace images: of more and
 more of them until enough digits stay, or as many as stay with all that are worth their time."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -13,6 +13,7 @@ from vibcli.evidence.reference.rated_members import RatedSignal
 from vibcli.evidence.reference.settled import LOST, DoesNotSettle, TrueValues
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.member_pole_sums import SignalInPoles
     from vibcli.results.problem import Problem
 
 ENOUGH, LEAST = 24, 15      # digits that stay
@@ -47,7 +48,7 @@ def extremes(problem: "Problem", signal: str, until: float, sense: int, instant:
         return _settled(along, tops[0][0], lambda count: _top(along, tops, sense, count)[0 if instant else 1], size)
 
 
-def _along(problem, signal, until):
+def _along(problem: "Problem", signal: str, until: mpmath.mpf) -> Any:
     try:
         if problem.spec.get("damping") is None:
             return signal_in_poles(problem, signal, until)
@@ -73,7 +74,7 @@ def _settled(along: Any, t: Any, found: Callable[[int | None], Any], size: Any) 
     return TrueValues([value], digits, DIGITS, DIGITS, size)
 
 
-def _sampled(along):
+def _sampled(along: "RatedSignal | SignalInPoles") -> list[tuple[float, float]]:
     """[(t, y)] in floats, from before to after every instant at which something begins."""
     terms = []
     for part in along.sources:
@@ -98,7 +99,8 @@ def _sampled(along):
     return list(zip(times.tolist(), values.tolist(), strict=True))
 
 
-def _highest(along, samples, sense, size):
+def _highest(along: "SignalInPoles", samples: Sequence[tuple[float, float]], sense: int,
+             size: float) -> list[tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf]]:
     """[(an end before, the sample, an end after)] of the highest tops of samples, (t, t, t) of one that is an end."""
     t, y = np.array([time for time, _ in samples]), sense * np.array([value for _, value in samples])
     found = [(y[i], (t[i],) * 3) for i in (0, len(y) - 1)]
@@ -113,7 +115,8 @@ def _highest(along, samples, sense, size):
     return [tuple(map(mpmath.mpf, place)) for place in near]
 
 
-def _top(along, tops, sense, count):
+def _top(along: "SignalInPoles", tops: Sequence[tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf]], sense: int,
+         count: int) -> tuple[mpmath.mpf, mpmath.mpf]:
     """(t, y) of the highest of tops, the first of those that are alike."""
     turns = [_turn(along, place, count) for place in tops]
     found = [(t, along.at(t, count=count) if t else along.members.at_first()) for t in turns]
@@ -121,7 +124,7 @@ def _top(along, tops, sense, count):
     return min((t, y) for t, y in found if sense * y >= best - mpmath.mpf(10) ** -ENOUGH * abs(best))
 
 
-def _turn(along, near, count):
+def _turn(along: "SignalInPoles", near: tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf], count: int) -> mpmath.mpf:
     """Where the rate is zero between two instants; the instant itself where they are one."""
     low, middle, high = near
     if low == high:

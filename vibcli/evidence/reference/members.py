@@ -8,7 +8,7 @@ begun from finite elements, and kept where they are as many and as near.
 
 from collections.abc import Sequence
 from math import perm
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import mpmath
 import numpy as np
@@ -40,9 +40,9 @@ def squares(elements: Elements, count: int) -> TrueValues:
     if any(b - a <= APART * abs(b) for a, b in zip(near[free:], near[free + 1:], strict=False)):
         raise PhysicsError("two frequencies are so close that no reference is found of them")
     near[:free] = [0.0] * min(free, len(near))
-    last: list = list(near)
+    last: list[Any] = list(near)
 
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], None]":
         last[:] = _roots(elements(mpmath.mp.dps), near, last)
         return list(last), None
 
@@ -69,7 +69,7 @@ def by_elements(elements: "FactoredSystem", count: int, divisions: int) -> list[
     except np.linalg.LinAlgError as error:
         raise PhysicsError("no reference is found of these members: in finite elements a matrix of theirs is "
                            "singular to rounding") from error
-    return np.sort(found).tolist()
+    return cast("list[float]", np.sort(found).tolist())
 
 
 def with_inertia(K: np.ndarray, M: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -82,14 +82,14 @@ def with_inertia(K: np.ndarray, M: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return K[here] - K[np.ix_(~light, light)] @ follow, M[here]
 
 
-def _zeros(elements):
+def _zeros(elements: "FactoredSystem") -> int:
     """How many eigenvalues are zero: the power of z by which the determinant begins."""
     with mpmath.workdps(START):
         one, two = (determinant(elements, mpmath.mpf(TINY) * k) for k in (1, 2))
         return int(mpmath.nint(mpmath.log(abs(two / one), 2)))
 
 
-def _roots(elements, near, starts):
+def _roots(elements: "FactoredSystem", near: Sequence[float], starts: Sequence[Any]) -> list[mpmath.mpf]:
     """Those near by, from where secants start: what fewer digits found."""
     found = []
     for z, start in zip(near, starts, strict=True):
@@ -103,7 +103,7 @@ def _roots(elements, near, starts):
     return found
 
 
-def _root(elements, start):
+def _root(elements: "FactoredSystem", start: float | mpmath.mpf) -> mpmath.mpf:
     """By secants."""
     x, y = mpmath.mpf(start), mpmath.mpf(start) * (1 - mpmath.mpf(STEP))
     at_x, at_y = determinant(elements, x), determinant(elements, y)
@@ -144,7 +144,7 @@ def equations(elements: "FactoredSystem", z: Any, s: Any = 0) -> Any:
     return A
 
 
-def _determinant(A):
+def _determinant(A: np.ndarray) -> mpmath.mpf:
     """By elimination with pivots."""
     found = mpmath.mpf(1)
     for i in range(len(A)):
@@ -161,14 +161,15 @@ def _determinant(A):
     return found
 
 
-def ends(piece: Piece, z: Any, s: Any = 0) -> tuple[list, list]:
+def ends(piece: Piece, z: Any, s: Any = 0) -> tuple[list[list[mpmath.mpf]], list[list[mpmath.mpf]]]:
     """(displacements and turns, forces and moments) of both ends, each as a row over the solutions of the piece."""
     far = [derivatives(piece, z, s, k) for k in range(piece.order)]
     begin = [[mpmath.mpf(int(k == i)) * (1, 1, 2, 6)[i] for k in range(piece.order)] for i in range(piece.order)]
     return at_ends(piece, begin, [[one[i] for one in far] for i in range(piece.order)])
 
 
-def at_ends(piece: Piece, begin: list, end: list) -> tuple[list, list]:
+def at_ends(piece: Piece, begin: Sequence[list[Any]],
+            end: Sequence[list[Any]]) -> tuple[list[list[Any]], list[list[Any]]]:
     """The same by the derivatives [u, u′, …] at both ends, each a row over solutions."""
     order, L, B = piece.order, piece.length, piece.bending
     N, N_end = piece.tension, piece.tension + piece.gradient * L
@@ -179,7 +180,7 @@ def at_ends(piece: Piece, begin: list, end: list) -> tuple[list, list]:
         [N_end * first - B * third for third, first in zip(end[3], end[1], strict=True)], [B * x for x in end[2]]]
 
 
-def derivatives(piece: Piece, z: Any, s: Any, number: int | None, load: Sequence = ()) -> list:
+def derivatives(piece: Piece, z: Any, s: Any, number: int | None, load: Sequence[mpmath.mpc] = ()) -> list[mpmath.mpf]:
     """[u, u′, u″, u‴] at the far end of the solution that begins with xⁿᵘᵐᵇᵉʳ, or with nothing under a load per length
     with coefficients of (x/L)ᵏ: of the coefficients aₖ of (x/L)ᵏ."""
     order, L = piece.order, piece.length

@@ -8,7 +8,7 @@ with numbers from the element data and the start as the file gives it; both are 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import mpmath
 
@@ -31,6 +31,8 @@ from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import multiprecision
 
 if TYPE_CHECKING:
+    from vibcli.base.work import Work
+    from vibcli.mechanics.configuration import Configuration
     from vibcli.results.problem import Problem
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -72,7 +74,7 @@ class Motion(NamedTuple):
         """It, followed to an instant."""
         records = driving_records(self.scene, self.parts.nodes())
 
-        def pieces(parts):
+        def pieces(parts: Dynamics) -> SmoothPieces:
             return (partial(PiecesOfRecords, records) if records else SmoothPieces)(
                 self.scene, parts, self.values, self.floats, float(until) * (1 + 1e-12), work)
 
@@ -101,7 +103,7 @@ def small(problem: "Problem") -> Motion:
     letters = {(part, i, j): table.parameter(f"{part}[{i};{j}]", positive=False)
                for part in "MCK" for i in range(n) for j in range(n)}
 
-    def numbers(bits):
+    def numbers(bits: int) -> "dict[str, mpmath.mpf]":
         if bits not in known:
             with mpmath.workprec(2 * bits):
                 M, C, G, K = configuration.precise_system(mpmath.mp.dps).matrices()
@@ -113,7 +115,7 @@ def small(problem: "Problem") -> Motion:
                 known[bits] = {**found, **{_rest_of(name): rest[name] for name in scene.coordinates}}
         return known[bits]
 
-    def deviations(bits):
+    def deviations(bits: int) -> "list[int]":
         with mpmath.workprec(2 * bits):
             rest = {name: numbers(bits)[_rest_of(name)] for name in scene.coordinates}
             held = rest if let_go is None else let_go.root(numbers(bits))
@@ -127,20 +129,20 @@ def small(problem: "Problem") -> Motion:
                         entries.items() if k == i and part != "M"), -drive.get(i, table.zero)]) for i in range(n)]
     M = {(i, j): letter for (part, i, j), letter in entries.items() if part == "M" and i <= j}
 
-    def inertia(values):
+    def inertia(values: "Mapping[str, mpmath.mpf]") -> mpmath.matrix:
         return mpmath.matrix([[values[letters["M", i, j].name] for j in range(n)] for i in range(n)])
 
     return Motion(scene, Dynamics(M, h, [], [], [], {}, []), numbers, deviations, first, SMALL, True,
                   blows(scene, struck, numbers, inertia) if struck else None)
 
 
-def _drive(problem):
+def _drive(problem: "Problem") -> "dict[int, Node]":
     """{i: Q(t)}, about an equilibrium that is not the drawn one in letters for its place."""
     from vibcli.mechanics.autonomous import excitation
 
     configuration, scene = problem.configuration, problem.scene
     if not scene.timed or configuration.equilibrium.drawn or configuration.system.is_linear:
-        return problem.response.drive
+        return cast("dict[int, Node]", problem.response.drive)
     if scene.vibrating is not scene or problem.spec.get("damping") is not None:
         raise PhysicsError("what drives it about this equilibrium is known to the digits of floats: no reference is "
                            "found")
@@ -148,12 +150,12 @@ def _drive(problem):
     return excitation(scene, configuration.system.time_dependent_linearisation, place)
 
 
-def _rest_of(name):
+def _rest_of(name: str) -> str:
     """The letter of where a coordinate rests."""
     return f"rest[{name}]"
 
 
-def _rest(configuration, bits):
+def _rest(configuration: "Configuration", bits: int) -> dict[str, mpmath.mpf]:
     """{coordinate: number} of the equilibrium."""
     from vibcli.mechanics.high_precision import equilibrium_to, in_its_place
 
@@ -183,14 +185,14 @@ def at_instant(motion: Motion, node: "Node", time: Fraction, work: Any) -> TrueV
     return _settled(motion, time, work, lambda steps: _apart(value(motion.signal(node), steps, time)))
 
 
-def _apart(found):
+def _apart(found: tuple[mpmath.mpf, mpmath.mpf]) -> tuple[list[mpmath.mpf], mpmath.mpf]:
     return [found[0]], found[1]
 
 
 def extremes(motion: Motion, node: "Node", until: Fraction, sense: int, instant: bool, work: Any) -> TrueValues:
     """The largest or smallest value of a signal, or the instant at which it has it; about: its largest magnitude, of
     an instant `until`."""
-    def found(steps):
+    def found(steps: TaylorSteps) -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         time, top, size = extreme(motion.signal(node), steps, sense)
         return ([time], until) if instant else ([top], size)
 
@@ -208,7 +210,7 @@ def period(motion: Motion, name: str, until: Fraction, work: Any) -> TrueValues:
     full motion it is in the same place again; about: it, too."""
     place, rate = (motion.scene.symbol(name, primes) for primes in (0, 1))
 
-    def found(steps):
+    def found(steps: TaylorSteps) -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         first, _, last = first_zeros(motion.signal(rate), steps, 3)
         ends = [motion.signal(place).along(steps, [place], int(mpmath.ldexp(t, steps.bits)))[0] for t in (first, last)]
         if not motion.rested and abs(ends[1] - ends[0]) > mpmath.ldexp(abs(ends[0]), -steps.accuracy // 2):
@@ -218,15 +220,17 @@ def period(motion: Motion, name: str, until: Fraction, work: Any) -> TrueValues:
     return _settled(motion, until, work, found)
 
 
-def _settled(motion, until, work, look):
+def _settled(motion: Motion, until: Fraction, work: "Work",
+             look: Callable[..., tuple[list[mpmath.mpf], mpmath.mpf]]) -> TrueValues:
     return settled_along(motion, lambda _: until, work, look)
 
 
-def settled_along(motion: Motion, until: Callable[[int], Fraction], work: Any, look: Callable) -> TrueValues:
+def settled_along(motion: Motion, until: Callable[[int], Fraction], work: Any,
+                  look: Callable[..., tuple[list[mpmath.mpf], mpmath.mpf]]) -> TrueValues:
     """What look(steps) finds along a motion, up to until(bits)."""
     digits, first = motion.digits
 
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         return look(motion.steps(until(bits_of(mpmath.mp.dps)), mpmath.mp.dps, work))
 
     return settled(found, digits, first, LIMIT, GROWTH, sized=True)

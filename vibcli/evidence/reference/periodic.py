@@ -23,6 +23,7 @@ from vibcli.evidence.reference.taylor_steps import SPARE
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.taylor_steps import TaylorSteps
     from vibcli.symbolic.node import Node
 
 MOST = 60               # periods of the slowest wave in one of all loads
@@ -80,7 +81,7 @@ def steady(motion: Motion, work: Any) -> PeriodicMotion:
     return PeriodicMotion(motion._replace(start=start), period)
 
 
-def _number(x):
+def _number(x: Fraction) -> mpmath.mpf:
     return mpmath.mpf(x.numerator) / x.denominator
 
 
@@ -100,7 +101,7 @@ def state_matrix(motion: Motion, bits: int) -> Any:
 
 def over_a_period(known: PeriodicMotion, node: "Node", head: str, work: Any) -> TrueValues:
     """The mean or rms value of a signal; about: its largest magnitude."""
-    def found(steps):
+    def found(steps: "TaylorSteps") -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         signal, T = known.motion.signal(node), _number(known.period(steps.bits))
 
         with mpmath.workprec(2 * steps.bits):

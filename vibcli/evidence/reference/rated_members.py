@@ -8,7 +8,7 @@ H itself gives (with c of ω the same function of z; Re z > 0),
     Σ R g(ω) = (1/2πi) ∫_{−i∞}^{i∞} 2 z g(z) H(iz) dz + Σ_{poles of g} Res 2 z g(z) H(iz)
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -28,6 +28,7 @@ from vibcli.mechanics.given_damping import given_numbers
 from vibcli.symbolic.evaluation import multiprecision
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.member_images import MemberImages
     from vibcli.results.problem import Problem
 
 REACH, LOST = 27, 3     # digits to which an integral goes, and of these such as its step leaves
@@ -37,8 +38,8 @@ FREE = 1e-30            # ω² beside which all others are large
 class GivenDamping(NamedTuple):
     """c = 2 ζ ω by the number of the mode, the last ζ holding on, or Σ aₖ ω²ᵏ."""
 
-    ratios: list
-    series: list
+    ratios: list[Any]
+    series: list[Any]
 
     def of(self, omega: Any, number: Any) -> Any:
         """c of a mode, or of an array of them."""
@@ -70,18 +71,18 @@ class GivenDamping(NamedTuple):
 class RatedMembers:
     """The modes of a signal, and what unit inputs do at any s."""
 
-    def __init__(self, problem: "Problem", signal: str, until: Any):
+    def __init__(self, problem: "Problem", signal: str, until: Any) -> None:
         self.members, search = _undamped(problem, signal, until)
         self.order, self.inputs = _rates(self.members), list(range(self.members.n, self.members.end))
         self._residues = PoleResidues(self.members, search, self._sources)
         self.few, self.rest = self._residues.few, self._residues.rest
         self.damping = _given(problem, [mpmath.im(p) for p, _ in self.few])
-        self._along: dict[Any, list] = {}
+        self._along: dict[Any, list[Any]] = {}
 
-    def _sources(self, images):
+    def _sources(self, images: "MemberImages") -> list[Any]:
         return [images.started(), *(images.loaded({i: 1}) for i in self.inputs)]
 
-    def _images(self, s):
+    def _images(self, s: mpmath.mpc | mpmath.mpf) -> list[mpmath.mpc]:
         return [x / s**self.order for x in self._residues.images(s)[1:]]
 
     def held_up(self, rate: Any, given: dict[int, Any]) -> Any:
@@ -99,7 +100,7 @@ class RatedMembers:
             total += self._integral(rate, shares) + self._by_number(rate, shares)
         return total
 
-    def _integral(self, rate, shares):
+    def _integral(self, rate: mpmath.mpc, shares: Sequence[mpmath.mpc]) -> mpmath.mpc:
         """(i/π) ∫ 4 ζ Ω y² H(y)/((y² + Ω²)² − (2 ζ Ω y)²) dy over y > 0, y = Ω eᵛ, λ = iΩ."""
         Omega, zeta = mpmath.im(rate), self.damping.ratios[-1]
         if mpmath.re(rate) or not Omega > 0:
@@ -115,7 +116,7 @@ class RatedMembers:
             total += 4 * zeta * Omega * y**3 * H / ((y**2 + Omega**2) ** 2 - (2 * zeta * Omega * y) ** 2)
         return mpmath.mpc(0, 1) / mpmath.pi * step * total
 
-    def _by_number(self, rate, shares):
+    def _by_number(self, rate: mpmath.mpc, shares: Sequence[Any]) -> mpmath.mpc:
         """What modes with ratios of their own have otherwise."""
         total = mpmath.mpc(0)
         for number, (p, residues) in enumerate(self.few[:len(self.damping.ratios) - 1]):
@@ -125,13 +126,13 @@ class RatedMembers:
             total += mpmath.fsum(x * y for x, y in zip(shares, R, strict=True)) * (own - last)
         return total
 
-    def _strengths(self, p, residues):
+    def _strengths(self, p: mpmath.mpc, residues: Any) -> list[mpmath.mpc]:
         """R of each input."""
         return [2 * p * x / p**self.order for x in residues[1:]]
 
     def terms(self) -> list[PoleTerms]:
         """The signal as sums over what is damped and what loads hold up."""
-        changes: dict[Any, dict] = {}
+        changes: dict[Any, dict[Any, Any]] = {}
         for i, parts in self.members.inputs.items():
             before = NOTHING
             for part in parts:
@@ -139,7 +140,7 @@ class RatedMembers:
                 before = part.function
         return [self._free(), *(self._forced(start, given) for start, given in changes.items())]
 
-    def _both(self, weight):
+    def _both(self, weight: Callable[..., Any]) -> PoleTerms:
         """PoleTerms from 0 on with `weight` of (p, c, ω, residues at iω) of every damped p, real ones counted half."""
         few = []
         for number, (p, residues) in enumerate(self.few):
@@ -159,16 +160,16 @@ class RatedMembers:
                    for place in places]
         return PoleTerms(mpmath.mpf(0), few, np.stack(places, 1).ravel(), np.stack(weights, 1).ravel())
 
-    def _free(self):
-        def weight(p, c, omega, residues):
+    def _free(self) -> PoleTerms:
+        def weight(p: Any, c: Any, omega: Any, residues: Any) -> Any:
             rho = residues[0] / (1j * omega) ** self.order
             a, b = 2 * rho.real, -2 * omega * rho.imag
             return ((p + c) * a + b) * p**self.order / (2 * p + c)
 
         return self._both(weight)
 
-    def _forced(self, start, given):
-        def weight(p, c, omega, residues):
+    def _forced(self, start: Any, given: Mapping[int, Any]) -> Any:
+        def weight(p: Any, c: Any, omega: np.ndarray, residues: Any) -> Any:
             total = 0
             for i, function in given.items():
                 rho = residues[1 + self.inputs.index(i)]
@@ -198,7 +199,7 @@ class RatedSignal:
 
     many = True
 
-    def __init__(self, problem: "Problem", signal: str, until: Any):
+    def __init__(self, problem: "Problem", signal: str, until: Any) -> None:
         self._rated = rated_members(problem, signal, until)
         self.members, self.until = self._rated.members, until
         self.held, self.sources = self.members.held, self._rated.terms()
@@ -241,7 +242,7 @@ def at_frequency(problem: "Problem", signal: str, Omega: Callable[[], Any],
         return TrueValues([read(X)], REACH - LOST, DIGITS, DIGITS, abs(X))
 
 
-def _undamped(problem, signal, until):
+def _undamped(problem: "Problem", signal: str, until: int | mpmath.mpf) -> tuple[StartedMembers, PoleSearch]:
     if problem.configuration.coupled:
         raise PhysicsError("no reference is found of members that `damping:` and dampers damp")
     members = started_members(problem, signal, until)
@@ -268,7 +269,7 @@ def _rates(members: StartedMembers) -> int:
     return orders[0]
 
 
-def _given(problem, omegas):
+def _given(problem: "Problem", omegas: Sequence[mpmath.mpf]) -> GivenDamping:
     """The GivenDamping of a scene whose lowest frequencies are known."""
     values = given_numbers(problem.configuration, multiprecision())
     if "proportional" in values:

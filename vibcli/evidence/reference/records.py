@@ -7,8 +7,8 @@ does, and its second rate strikes where its slope jumps.
 """
 
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, cast
 
 import mpmath
 
@@ -21,6 +21,7 @@ from vibcli.symbolic.evaluation import evaluate, multiprecision
 from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.motion_series import Coefficients, MotionSeries
     from vibcli.mechanics.equations_of_motion import Dynamics
     from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
@@ -41,7 +42,7 @@ class DrivingRecord(NamedTuple):
     def line(self) -> "Node":
         """What stands for it between two samples."""
         table = self.node.table
-        return [self.level + self.slope * self.node.args[0], self.slope, table.zero][min(self.order, 2)]
+        return cast("Node", [self.level + self.slope * self.node.args[0], self.slope, table.zero][min(self.order, 2)])
 
     def instants(self, time: str, known: Mapping[str, Any]) -> list[Any]:
         """Those of its samples, ascending, at the working precision."""
@@ -65,12 +66,12 @@ class DrivingRecord(NamedTuple):
         yield from zip(self.instants(time, known), [size / abs(rate) for size in sizes[::1 if rate > 0 else -1]],
                        strict=True)
 
-    def _argument(self, time, known):
+    def _argument(self, time: str, known: Mapping[str, float | mpmath.mpf]) -> list[mpmath.mpf]:
         """(u at t = 0, du/dt)"""
         return evaluate([self.node.args[0], self.rate], multiprecision(), {**known, time: mpmath.mpf(0)})
 
 
-def _jumps(samples, order):
+def _jumps(samples: "Samples", order: int) -> list[mpmath.mpf]:
     """By how much the (order − 1)-th rate jumps at each sample."""
     values, none = [mpmath.mpf(x) for x in samples.values], [mpmath.mpf(0)] * (len(samples.values) - 2)
     if order == 1:
@@ -106,7 +107,7 @@ class PiecesOfRecords(SmoothPieces):
     """The equations of a motion that records drive, from sample to sample; as SmoothPieces."""
 
     def __init__(self, records: Sequence[DrivingRecord], scene: "Scene", parts: "Dynamics", values: Any,
-                 floats: Mapping[str, float], until: float, work: Any):
+                 floats: Mapping[str, float], until: float, work: Any) -> None:
         lines = {record.node: record.line() for record in records}
         super().__init__(scene, parts.made_of(substitute(parts.nodes(), lines)), values,
                          {**floats, **{letter.name: 1.0 for record in records for letter in record[-2:]}}, until, work)
@@ -120,7 +121,8 @@ class PiecesOfRecords(SmoothPieces):
         ends = [end for end in (limit, *instants[place:place + 1]) if end is not None]
         return compute, min(ends, default=None), longest
 
-    def _computed(self, piece, t, bits):
+    def _computed(self, piece: "MotionSeries", t: int,
+                  bits: int) -> "Callable[[int, int, Sequence[int], int], Coefficients]":
         own, values = self._known(bits)[1], dict(self.values(bits))
         with mpmath.workprec(2 * bits):
             for record, (instants, forwards) in zip(self._records, own, strict=True):
@@ -128,7 +130,7 @@ class PiecesOfRecords(SmoothPieces):
                 values |= {record.level.name: level, record.slope.name: slope}
         return piece.with_bits(values, bits)
 
-    def _known(self, bits):
+    def _known(self, bits: int) -> tuple[list[int], list[tuple[list[int], bool]]]:
         """(all instants, [(those of a record, ascend they with its samples?)]) in fixed point."""
         if bits not in self._samples:
             with mpmath.workprec(2 * bits):
@@ -136,4 +138,4 @@ class PiecesOfRecords(SmoothPieces):
                 own = [([fixed_point(t, bits) for t in record.instants(time, values)],
                         evaluate([record.rate], multiprecision(), values)[0] > 0) for record in self._records]
             self._samples[bits] = sorted({t for instants, _ in own for t in instants}), own
-        return self._samples[bits]
+        return cast("tuple[list[int], list[tuple[list[int], bool]]]", self._samples[bits])

@@ -21,15 +21,15 @@ class TrueValues(NamedTuple):
     """Numbers of mpmath, in which `digits` digits are alike in two precisions, `working` and `before`; about: what else
     was found with them."""
 
-    values: list
+    values: list[Any]
     digits: int
     working: int
     before: int
     about: Any = None
 
 
-def settled(found: "Callable[[], tuple[Sequence, Any]]", digits: int = DIGITS, start: int = START,
-            limit: int = LIMIT, growth: float = 2.0, sized: bool = False) -> TrueValues:
+def settled(found: Callable[..., Any], digits: int = DIGITS, start: int = START, limit: int = LIMIT,
+            growth: float = 2.0, sized: bool = False) -> TrueValues:
     """The values that `found()`, (numbers, anything), gives at the working precision, at `growth` times as many digits
     until `digits` of each agree, of what is `sized` relative to `anything`, the size of them all; DoesNotSettle where
     they do not within `limit`."""
@@ -48,7 +48,8 @@ def settled(found: "Callable[[], tuple[Sequence, Any]]", digits: int = DIGITS, s
                         "leave this quantity out of the comparison")
 
 
-def alike(before: Sequence, values: Sequence, digits: int, size: Any = None) -> bool:
+def alike(before: Sequence[mpmath.mpc | mpmath.mpf], values: Sequence[mpmath.mpc | mpmath.mpf], digits: int,
+          size: Any = None) -> bool:
     """Are these as many numbers, each part of each the same to so many digits, of itself unless a size is given? A zero
     is one in both, but for a size."""
     if len(before) != len(values):
@@ -58,11 +59,11 @@ def alike(before: Sequence, values: Sequence, digits: int, size: Any = None) -> 
                for a, b in zip(*map(_parts, pair), strict=True))
 
 
-def _parts(x):
+def _parts(x: mpmath.mpc | mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
     return mpmath.re(x), mpmath.im(x)
 
 
-def relative_error(found: Sequence, true: TrueValues) -> float:
+def relative_error(found: Sequence[complex], true: TrueValues) -> float:
     """The largest |x − x*|/|x*| of values, each beside its own true one; what is left over stands beside the zeros
     among these, relative to the largest. Infinite where one has no partner or is not finite."""
     exact = [x for x in true.values if x]

@@ -3,7 +3,7 @@ them all: x = Re H e^{iΩt}. Ω is the rate of the angle in their sines and cosi
 period, and hold at other instants.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -18,6 +18,7 @@ from vibcli.symbolic.evaluation import evaluate, multiprecision
 from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 SAMPLES = tuple(2**k for k in range(3, 11))
@@ -28,8 +29,8 @@ class HarmonicLoads(NamedTuple):
     """A Motion with the expressions of its loads and of the rates of their angles."""
 
     motion: Motion
-    loads: list
-    rates: list
+    loads: list[Any]
+    rates: list[Any]
 
 
 def driven(motion: Motion) -> HarmonicLoads:
@@ -59,7 +60,7 @@ def rate(known: HarmonicLoads) -> tuple[Any, Any]:
     return numbers, Omega
 
 
-def response(known: HarmonicLoads, node: "Node", phasors: Callable[[list], list]) -> Transfer:
+def response(known: HarmonicLoads, node: "Node", phasors: Callable[..., Any]) -> Transfer:
     """That of a linear signal to all loads; phasors(functions of time): of their waves of a frequency."""
     motion, n = known.motion, len(known.loads)
     numbers = motion.values(mpmath.mp.prec)
@@ -70,7 +71,7 @@ def response(known: HarmonicLoads, node: "Node", phasors: Callable[[list], list]
                     [phasors([still])[0], *[mpmath.mpf(0)] * 2])
 
 
-def _slopes(scene, node, numbers):
+def _slopes(scene: "Scene", node: "Node", numbers: Mapping[str, Any]) -> "tuple[list[mpmath.matrix], Node]":
     """([∂node/∂q, ∂node/∂q̇, ∂node/∂q̈], what is left of it where all of these rest)."""
     slopes, state = gradient(node), (*scene.q, *scene.v, *scene.a)
     moved = [slopes.get(symbol, scene.table.zero) for symbol in state]
@@ -81,11 +82,12 @@ def _slopes(scene, node, numbers):
     return [mpmath.matrix(found[k:k + n]) for k in (0, n, 2 * n)], still
 
 
-def _waves(known, nodes, numbers, Omega):
+def _waves(known: HarmonicLoads, nodes: "Sequence[Node]", numbers: Mapping[str, mpmath.mpf],
+           Omega: mpmath.mpf) -> tuple[list[mpmath.mpc], list[mpmath.mpf]]:
     """(the phasors of loads or other functions of time, their means)."""
     period = 2 * mpmath.pi / Omega
 
-    def loads(part):
+    def loads(part: mpmath.mpf) -> "list[mpmath.mpf]":
         return evaluate(nodes, multiprecision(), {**numbers, known.motion.scene.time.name: part * period})
 
     start, quarter, half, last = (loads(mpmath.mpf(k) / 4) for k in range(4))
@@ -113,7 +115,8 @@ def middles(known: HarmonicLoads) -> tuple[Any, Any, Any]:
     return Omega, mpmath.lu_solve(exact.K + s * (exact.C + s * exact.M), exact.b[0]), moved
 
 
-def _along(known, node, t, Omega, phasors, means):
+def _along(known: HarmonicLoads, node: "Node", t: mpmath.mpf, Omega: mpmath.mpf, phasors: mpmath.matrix,
+           means: mpmath.matrix) -> mpmath.mpf:
     """A signal at an instant of the steady state."""
     scene, wave = known.motion.scene, mpmath.expj(Omega * t)
     numbers = {**known.motion.values(mpmath.mp.prec), scene.time.name: t}
@@ -124,7 +127,7 @@ def _along(known, node, t, Omega, phasors, means):
     return evaluate([node], multiprecision(), numbers)[0]
 
 
-def _over_a_period(known, node, head):
+def _over_a_period(known: HarmonicLoads, node: "Node", head: str) -> tuple[mpmath.mpf, mpmath.mpf]:
     """(the mean or rms value of a signal, its largest magnitude), by more and more samples until two of their numbers
     give the same: of powers of waves a few are all that it takes."""
     steady, before = middles(known), None
@@ -152,7 +155,7 @@ def at_the_start(known: HarmonicLoads) -> tuple[float, list[float], list[float]]
 
 def over_a_period(known: HarmonicLoads, node: "Node", head: str) -> TrueValues:
     """The mean or rms value of a signal, a power or product perhaps; about: its largest magnitude."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         number, size = _over_a_period(known, node, head)
         return [number], size
 
@@ -161,7 +164,7 @@ def over_a_period(known: HarmonicLoads, node: "Node", head: str) -> TrueValues:
 
 def of_wave(known: HarmonicLoads, node: "Node", head: str) -> TrueValues:
     """The amplitude |X| of a linear signal in the steady state, or the lag θ of X sin(Ωt − θ), −π < θ ≤ π."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], None]":
         X = at(*transfer(known, node))[0]
         lag = -mpmath.arg(mpmath.mpc(0, 1) * X)
         return [abs(X) if head == "amplitude" else

@@ -6,6 +6,7 @@ Forces may bend or jump: each panel ends where one does, those from turning poin
 Nothing is followed in time.
 """
 
+from collections.abc import Callable
 from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -35,7 +36,7 @@ class SwingingCoordinate:
     """The M and h of a Motion of one coordinate as functions of its place, at the working precision; bends: what
     vanishes where they bend or jump."""
 
-    def __init__(self, motion: Motion):
+    def __init__(self, motion: Motion) -> None:
         self.motion, scene = motion, motion.scene
         (self.inertia,), (force,) = motion.parts.M.values(), motion.parts.h
         (q,), (v,) = scene.q, scene.v
@@ -82,11 +83,11 @@ def _arithmetic(_: int) -> Any:
     return multiprecision()
 
 
-def _places():
+def _places() -> Any:
     return rule(int(PLACES * mpmath.mp.dps), 2 * mpmath.mp.prec)
 
 
-def _bends(part):
+def _bends(part: "Node") -> "list[Node]":
     """What vanishes where a call bends or jumps."""
     return [part.args[0] - other for other in part.args[1:]] or [part.args[0]]
 
@@ -104,14 +105,14 @@ def period(motion: Motion, size: float) -> TrueValues:
     senses = (-1, 1) if E else (1 if one.near([one.force], float(q))[0] < 0 else -1,)
     ways = [_way(one, float(q), float(E), sense * size / STEPS) for sense in senses]
 
-    def found():
+    def found() -> "tuple[list[Any], Any]":
         T = 2 * _between(one, [_followed(one, *way) for way in ways])
         return [T], T
 
     return settled(found, DIGITS, START, LIMIT, GROWTH, sized=True)
 
 
-def _way(one, q, E, step):
+def _way(one: SwingingCoordinate, q: float, E: float, step: float) -> Any:
     """(between which places it turns, [between which places what bends]) of a motion that sets out from q in one sense
     with the energy of motion E."""
     nodes, bends = [one.force, *one.bends], []
@@ -127,7 +128,7 @@ def _way(one, q, E, step):
     raise PhysicsError("the reference finds that this motion does not come back to where it was")
 
 
-def _followed(one, turns, bends):
+def _followed(one: SwingingCoordinate, turns: Any, bends: Any) -> Any:
     """(where it turns, [(a place where a force bends, its energy of motion there)] up to there, from the start on)."""
     q, E = one.start()
     found, small = [], mpmath.mpf(10) ** (5 - mpmath.mp.dps) * abs(turns[1] - q)
@@ -142,7 +143,7 @@ def _followed(one, turns, bends):
     return _root(lambda x: E - one.work(q, x), low, 2 * mpmath.mpf(turns[1]) - turns[0]), found
 
 
-def _between(one, ways):
+def _between(one: SwingingCoordinate, ways: Any) -> Any:
     """The time between two turning points, the first of which is the start where it starts at rest."""
     if len(ways) == 1:
         ways = [(one.start()[0], []), *ways]
@@ -155,9 +156,9 @@ def _between(one, ways):
         one.time(a, b, E) for (a, E), (b, _) in pairwise(places))
 
 
-def _bend(one, low, high, node):
+def _bend(one: SwingingCoordinate, low: float, high: float, node: "Node") -> Any:
     return _root(lambda x: one.at(node, x), low, high)
 
 
-def _root(function, low, high):
+def _root(function: Callable[[Any], Any], low: float, high: float) -> Any:
     return mpmath.findroot(function, (mpmath.mpf(low), mpmath.mpf(high)), solver="anderson", verify=False)

@@ -1,9 +1,9 @@
 """A motion in Taylor series whose forces bend or jump with it: each step ends where one does, and the next one follows
 the equations of the side beyond."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import mpmath
 
@@ -14,6 +14,9 @@ from vibcli.evidence.reference.taylor_steps import LONGER, TaylorSteps
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.switches import Sides
+    from vibcli.evidence.reference.taylor_steps import TaylorStep
+    from vibcli.evidence.subject import Deadline
     from vibcli.symbolic.node import Node
 
 LOOKS = 16              # at what may vanish, in a step
@@ -25,9 +28,9 @@ class SwitchedSteps(TaylorSteps):
     """The motion of Switches; values(bits): {parameter: number}; as TaylorSteps."""
 
     def __init__(self, switches: Switches, values: Callable[[int], Mapping[str, Any]],
-                 start: Callable[[int], Sequence[int]], until: Fraction, digits: int, work: float):
+                 start: Callable[[int], Sequence[int]], until: Fraction, digits: int, work: float) -> None:
         self._switches, self._values, self._modes, self._sizes = switches, values, [], {}
-        self._forms: dict[tuple, list[Node]] = {}
+        self._forms: dict[tuple[Any, ...], list[Node]] = {}
         super().__init__(switches, start, until, digits, work)
 
     def forms(self, nodes: "Sequence[Node]", t: int) -> "list[Node]":
@@ -38,7 +41,7 @@ class SwitchedSteps(TaylorSteps):
             self._forms[key] = self._switches.resolved(nodes, mode)
         return self._forms[key]
 
-    def _march(self, switches, state, end, _):
+    def _march(self, switches: Switches, state: list[int], end: int, _: "Deadline") -> None:
         t, scale, sizes, together = 0, max(end >> 6, 1), [abs(x) for x in state], 0
         mode = self._mode_at_start(state)
         while t < end:
@@ -62,7 +65,7 @@ class SwitchedSteps(TaylorSteps):
             t, state, scale = step.end, after, max(int(step.scale * min(LONGER, 2.0 ** (spare / self.order))), 1)
         self.sizes = [x / 2**self.bits for x in sizes]
 
-    def _seen(self, nodes, t, rows):
+    def _seen(self, nodes: "Iterable[Node]", t: int, rows: Sequence[list[int]]) -> list[mpmath.mpf]:
         """Expressions at an instant, of [q], [q̇], [q̈] in fixed point."""
         scene = self._switches.scene
         with mpmath.workprec(2 * self.bits):
@@ -72,10 +75,10 @@ class SwitchedSteps(TaylorSteps):
                           for name, x in zip(scene.coordinates, row, strict=True)}
             return evaluate(list(nodes), multiprecision(), known)
 
-    def _along(self, nodes, step, t):
+    def _along(self, nodes: "Sequence[Node]", step: "TaylorStep", t: int) -> list[mpmath.mpf]:
         return self._seen(nodes, t, [[self.summed(row, step, t) for row in rows] for rows in step.rows])
 
-    def _event(self, mode, step):
+    def _event(self, mode: "Sides", step: "TaylorStep") -> "tuple[int, tuple[Node, int]] | None":
         """(the first instant of a step at which something watched vanishes, (argument, sense beyond)), or None."""
         nodes = [node for *_, node in mode.watched]
         before, span = step.start, step.end - step.start
@@ -90,12 +93,12 @@ class SwitchedSteps(TaylorSteps):
             before = t
         return None
 
-    def _is_beyond(self, node, x):
+    def _is_beyond(self, node: "Node", x: mpmath.mpf) -> bool:
         size = self._sizes[node] = max(self._sizes.get(node, 0), abs(x))
-        return x < -mpmath.ldexp(size, -self.accuracy // 2)
+        return cast("bool", x < -mpmath.ldexp(size, -self.accuracy // 2))
 
-    def _passage(self, node, step, low, high):
-        def at(t):
+    def _passage(self, node: "Node", step: "TaylorStep", low: int, high: int) -> int:
+        def at(t: int) -> mpmath.mpf:
             return self._along([node], step, t)[0]
 
         near = high
@@ -107,7 +110,7 @@ class SwitchedSteps(TaylorSteps):
             raise PhysicsError("no reference is found of a force that bends and goes on as it was")
         return passage(at, (low if at(low) > 0 else near, high), self)
 
-    def _mode_at_start(self, state):
+    def _mode_at_start(self, state: list[int]) -> "Sides":
         switches, senses, tiny = self._switches, dict.fromkeys(self._switches.arguments, 1), []
         rows = self._rows(switches.mode(senses), 0, state)
         for u, x in zip(senses, self._seen(senses, 0, rows), strict=True):
@@ -119,7 +122,7 @@ class SwitchedSteps(TaylorSteps):
             senses[u] = self._sense_of(u, senses, 0, state)
         return switches.mode(senses)
 
-    def _sense_of(self, u, senses, t, state):
+    def _sense_of(self, u: "Node", senses: "Mapping[Node, int]", t: int, state: list[int]) -> int:
         """That which an argument has just after an instant at which it is zero: by its rate, or the second one."""
         switches, scene = self._switches, self._switches.scene
         rates = {}
@@ -134,12 +137,12 @@ class SwitchedSteps(TaylorSteps):
             return STICKS
         return 1 if rates[1] > 0 else -1
 
-    def _rows(self, mode, t, state):
+    def _rows(self, mode: "Sides", t: int, state: list[int]) -> list[list[int]]:
         """[q], [q̇], [q̈] of a state in a mode."""
         found = mode.pieces.series(t, self.bits)[0](t, max(1, 1 << self.bits), state, 1)
         return [[row[0] for row in rows] for rows in (found.q, found.v, found.a)]
 
-    def _beyond(self, mode, switch, t, state):
+    def _beyond(self, mode: "Sides", switch: "tuple[Node, int]", t: int, state: list[int]) -> "Sides":
         """The Sides after one that ends."""
         u, sense = switch
         senses = dict(mode.senses)

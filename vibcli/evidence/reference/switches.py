@@ -7,7 +7,7 @@ to zero, as dry friction does at rest, it sticks: u stays zero, which is a const
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from vibcli.analyses.time_integration.smooth_pieces import SmoothPieces, bent
 from vibcli.base.errors import PhysicsError
@@ -46,7 +46,7 @@ class Switches:
     positive."""
 
     def __init__(self, scene: "Scene", parts: "Dynamics", made: "Callable[[Dynamics], SmoothPieces]",
-                 floats: Mapping[str, float], taut: "Sequence[Node]" = ()):
+                 floats: Mapping[str, float], taut: "Sequence[Node]" = ()) -> None:
         self.scene, self.parts, self._made, self._taut, self._modes = scene, parts, made, taut, {}
         self._floats, self._alike = floats, {}
         self.arguments: list[Node] = []
@@ -72,9 +72,9 @@ class Switches:
         key = tuple(senses[u] for u in self.arguments)
         if key not in self._modes:
             self._modes[key] = self._mode(dict(senses))
-        return self._modes[key]
+        return cast("Sides", self._modes[key])
 
-    def _mode(self, senses):
+    def _mode(self, senses: "dict[Node, int]") -> Sides:
         parts, watched, held = self._on_sides(senses), [], {}
         for u, sense in senses.items():
             if sense != STICKS:
@@ -88,10 +88,10 @@ class Switches:
         taut = self._resolved(self._taut, senses, held)
         return Sides(self._made(parts), senses, [*watched, *((None, 0, node) for node in taut)], held)
 
-    def _on_sides(self, senses):
+    def _on_sides(self, senses: "dict[Node, int]") -> "Dynamics":
         return self.parts.made_of(self._resolved(self.parts.nodes(), senses, {}))
 
-    def _stuck(self, parts, senses, u):
+    def _stuck(self, parts: "Dynamics", senses: "Mapping[Node, int]", u: "Node") -> "tuple[Dynamics, Node, Node]":
         """(the equations with one more constraint, its force λ, the largest that friction bears)."""
         scene, table, n = self.scene, self.scene.table, len(self.scene.q)
         slopes = {i: gradient(u)[v] for i, v in enumerate(scene.v) if v in gradient(u)}
@@ -110,7 +110,8 @@ class Switches:
         """Expressions as they are in a mode; what bends elsewhere stays."""
         return self._resolved(nodes, mode.senses, mode.held)
 
-    def _resolved(self, nodes, senses, held):
+    def _resolved(self, nodes: "Sequence[Node]", senses: "Mapping[Node, int]",
+                  held: "Mapping[Node, Node]") -> "list[Node]":
         instead = {}
         for part in bends(self.scene, nodes):
             argument, sign = self._same(*self._argument(part))
@@ -118,7 +119,7 @@ class Switches:
                 instead[part] = self._on_side(part, senses[argument] * sign, held.get(argument), sign)
         return substitute(list(nodes), instead)
 
-    def _argument(self, part):
+    def _argument(self, part: "Node") -> "tuple[Node, int]":
         """(what vanishes where a part bends, ±1), one of ±u for all."""
         u, table = part.args[0] - part.args[1] if part.name in ("min", "max") else part.args[0], part.table
         for sign in (1, -1):
@@ -127,7 +128,7 @@ class Switches:
                 return found.args[0], sign
         raise PhysicsError("no reference is found of what bends at a place that is none")
 
-    def _same(self, argument, sign):
+    def _same(self, argument: "Node", sign: int) -> "tuple[Node, int]":
         """(the argument of a bend of the equations that vanishes where this one does, ±1); itself where none is."""
         if argument not in self._alike:
             self._alike[argument] = next(((u, way) for u in self.arguments if (way := self._way(argument, u))),
@@ -135,7 +136,7 @@ class Switches:
         u, way = self._alike[argument]
         return u, sign * way
 
-    def _way(self, one, other):
+    def _way(self, one: "Node", other: "Node") -> int:
         """±1, the sign of the ratio of two arguments, if that is the same number in all states."""
         if one is other:
             return 1
@@ -150,14 +151,15 @@ class Switches:
         alike = max(ratios) - min(ratios) <= SAME * max(map(abs, ratios))
         return (ratios[0] > 0) - (ratios[0] < 0) if alike else 0
 
-    def _on_side(self, part, sense, held, sign):
+    def _on_side(self, part: "Node", sense: int, held: "Node | None", sign: int) -> "Node":
         """What stands for a part; held: σ of what sticks."""
         table, u = part.table, part.args[0]
         if part.name in ("min", "max"):
-            return part.args[0] if (sense >= 0) == (part.name == "max") else part.args[1]
+            return cast("Node", part.args[0] if (sense >= 0) == (part.name == "max") else part.args[1])
         if sense == STICKS:
             return held * sign if held is not None and part.name == "sign" else table.zero
         if part.name == "impulse":          # of a rate of what is constant there
             return table.zero
-        return {"abs": u * sense, "sign": table.number(sense), "step": table.number((1 + sense) // 2),
-                "ramp": u * ((1 + sense) // 2)}[part.name]
+        result: Node = {"abs": u * sense, "sign": table.number(sense), "step": table.number((1 + sense) // 2),
+                          "ramp": u * ((1 + sense) // 2)}[part.name]
+        return result

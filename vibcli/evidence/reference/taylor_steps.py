@@ -17,7 +17,9 @@ from vibcli.base.named_tuple import NamedTuple
 if TYPE_CHECKING:
     import mpmath
 
+    from vibcli.analyses.time_integration.motion_series import Coefficients
     from vibcli.evidence.reference.blows import Blows
+    from vibcli.evidence.reference.records import PiecesOfRecords
     from vibcli.symbolic.node import Node
 
 SPARE = 64              # bits below the digits asked for
@@ -34,7 +36,7 @@ class TaylorStep(NamedTuple):
     start: int
     end: int
     scale: int
-    rows: tuple[list, list, list]
+    rows: tuple[list[Any], list[Any], list[Any]]
 
 
 class TaylorSteps:
@@ -43,8 +45,8 @@ class TaylorSteps:
     each of q and q̇, as floats; breaks: instants at which forces may jump. blows(bits): instants at which
     q̇ jumps, and by how much, ascending."""
 
-    def __init__(self, pieces: Any, start: Callable[[int], Sequence[int]], until: Fraction, digits: int,
-                 work: float, blows: "Callable[[int], Blows] | None" = None):
+    def __init__(self, pieces: Any, start: Callable[[int], Sequence[int]], until: Fraction, digits: int, work: float,
+                 blows: "Callable[[int], Blows] | None" = None) -> None:
         self.accuracy, self.bits, self.order = ceil(digits * log2(10)), bits_of(digits), ceil(1.3 * digits)
         self.steps: list[TaylorStep] = []
         self.breaks: list[int] = []
@@ -56,7 +58,7 @@ class TaylorSteps:
         """An instant in fixed point."""
         return (time.numerator << self.bits) // time.denominator
 
-    def _march(self, pieces, state, end, blows):
+    def _march(self, pieces: "PiecesOfRecords", state: list[int], end: int, blows: Sequence[Any]) -> None:
         t, scale, left = 0, max(end >> 6, 1), list(blows)
         sizes = [abs(x) for x in state]
         while t < end or (left and left[0][0] == t):
@@ -74,7 +76,8 @@ class TaylorSteps:
             t, scale = step.end, int(step.scale * min(LONGER, 2.0 ** (spare / self.order)))
         self.sizes = [x / 2**self.bits for x in sizes]
 
-    def _stepped(self, compute, t, scale, state, sizes, stop, end):
+    def _stepped(self, compute: "Callable[[int, int, Sequence[int], int], Coefficients]", t: int, scale: int,
+                 state: list[int], sizes: list[int], stop: int, end: int) -> tuple[TaylorStep, list[int], int]:
         """(the TaylorStep, the state at its end, bits to spare)."""
         while True:
             found = self._computed(compute, t, scale, state)
@@ -90,7 +93,8 @@ class TaylorSteps:
                 raise PhysicsError(f"the reference does not get beyond t = {t / 2**self.bits:.6g} s: the motion is "
                                    "singular there")
 
-    def _arrives(self, compute, step, after):
+    def _arrives(self, compute: "Callable[[int, int, Sequence[int], int], Coefficients]", step: TaylorStep,
+                 after: list[int]) -> bool:
         """Are the accelerations at its end those that its series come to? What is too small for them to be seen, as
         what a hyperbolic tangent lacks of 1, may grow within a step."""
         _, v, a = step.rows
@@ -103,7 +107,8 @@ class TaylorSteps:
         allowed = max((abs(x) for row in v for x in row), default=0) * self.order >> max(self.accuracy - ASTRAY, 0)
         return lacking <= max(allowed, 1 << ROUNDED)
 
-    def _computed(self, compute, t, scale, state):
+    def _computed(self, compute: "Callable[[int, int, Sequence[int], int], Coefficients]", t: int, scale: int,
+                  state: list[int]) -> "Coefficients":
         self._left -= self._price
         if self._left < 0:
             raise TakesMinutes(t / 2**self.bits)
@@ -113,7 +118,7 @@ class TaylorSteps:
             raise PhysicsError(f"the reference does not get beyond t = {t / 2**self.bits:.6g} s: the equations are "
                                "singular there") from None
 
-    def _spare(self, found, sizes):
+    def _spare(self, found: "Coefficients", sizes: Sequence[int]) -> int:
         """Bits by which the last coefficients are smaller than they have to be."""
         rows = [*found.q, *found.v]
         largest = [max(size, *map(abs, row)) for size, row in zip(sizes, rows, strict=True)]
@@ -170,6 +175,6 @@ def bits_of(digits: int) -> int:
 class TakesMinutes(PhysicsError):
     """The reference takes more work than is given to it; reached: how far it came [s]."""
 
-    def __init__(self, reached: Any):
+    def __init__(self, reached: Any) -> None:
         self.reached = float(reached)
         super().__init__(f"the reference takes minutes: it came to t = {self.reached:.3g} s")

@@ -29,7 +29,7 @@ Waves = Sequence[tuple[Any, Any]]
 class Vibrations:
     """Of a linear signal of a small motion; drives: what keeps it up, None where nothing does."""
 
-    def __init__(self, motion: Motion, node: "Node"):
+    def __init__(self, motion: Motion, node: "Node") -> None:
         scene = motion.scene
         still = dict.fromkeys((*scene.q, *scene.v), scene.table.zero)
         self.motion, self.node = motion, node
@@ -60,7 +60,7 @@ class Vibrations:
             raise PhysicsError("no reference is found of the vibrations of what creeps")
         return sorted(found, key=lambda wave: mpmath.im(wave[1]))
 
-    def _kept_up(self):
+    def _kept_up(self) -> tuple[list[tuple[mpmath.mpc, mpmath.mpc]], list[mpmath.mpf]]:
         """([(a, λ) of what loads keep up], [q, q̇] of what is free at t = 0)."""
         bits = mpmath.mp.prec
         start = [mpmath.ldexp(x, -bits) for x in self.motion.start(bits)]
@@ -79,7 +79,7 @@ class Vibrations:
 
 def read(known: Vibrations, what: Callable[[Waves], Any], least: int = 0) -> TrueValues:
     """A number of the one free vibration; about: its size, so much at least."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], int | mpmath.mpf]":
         waves = known.waves()
         if len(waves) > 1 or known.drives is not None:
             raise PhysicsError("a reference is found of the only vibration of a signal")
@@ -91,7 +91,7 @@ def read(known: Vibrations, what: Callable[[Waves], Any], least: int = 0) -> Tru
 
 def beat_period(known: Vibrations) -> TrueValues:
     """2π/|ω₁ − ω₂| of two vibrations."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         (_, one), (_, other) = _two(known.waves())
         period = 2 * mpmath.pi / abs(mpmath.im(one) - mpmath.im(other))
         return [period], period
@@ -99,7 +99,7 @@ def beat_period(known: Vibrations) -> TrueValues:
     return settled(found, DIGITS, START)
 
 
-def _two(waves):
+def _two(waves: Sequence[tuple[Any, Any]]) -> Sequence[tuple[Any, Any]]:
     if len(waves) != FEW:
         raise PhysicsError(f"the reference finds {len(waves)} vibrations, not two")
     return waves
@@ -107,7 +107,7 @@ def _two(waves):
 
 def envelope_at(known: Vibrations, time: Callable[[], Any], until: Any) -> TrueValues:
     """The envelope at an instant, at the working precision; about: its largest value until another one."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         waves, instant = _few(known), time()
         return [abs(_arrow(waves, instant))], max(abs(_arrow(waves, t)) for t in [*_looks(waves, until), instant])
 
@@ -117,7 +117,7 @@ def envelope_at(known: Vibrations, time: Callable[[], Any], until: Any) -> TrueV
 def envelope_extreme(known: Vibrations, until: Any, sense: int, instant: bool) -> TrueValues:
     """The largest (sense 1) or smallest value of the envelope, or the first instant at which it has it; about: the
     largest magnitude, of an instant `until`."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         waves = _few(known)
         times = [mpmath.mpf(0), *_turns(waves, until), until]
         values = [sense * abs(_arrow(waves, t)) for t in times]
@@ -132,7 +132,7 @@ def envelope_extreme(known: Vibrations, until: Any, sense: int, instant: bool) -
 
 def envelope_zero(known: Vibrations, until: Any, number: int) -> TrueValues:
     """The instant of a zero of the envelope, counted from 1; about: `until`."""
-    def found():
+    def found() -> "tuple[list[mpmath.mpf], mpmath.mpf]":
         waves = _few(known)
         times = [mpmath.mpf(0), *_turns(waves, until), until]
         small = mpmath.mpf(10) ** (-mpmath.mp.dps // 3) * max(abs(_arrow(waves, t)) for t in times)
@@ -146,28 +146,28 @@ def envelope_zero(known: Vibrations, until: Any, number: int) -> TrueValues:
     return settled(found, DIGITS, START, sized=True)
 
 
-def _few(known):
+def _few(known: Vibrations) -> Sequence[tuple[mpmath.mpc, mpmath.mpc]]:
     waves = known.waves()
     if len(waves) > FEW:
         raise PhysicsError(f"the reference finds {len(waves)} vibrations: an envelope is told of one and of two")
     return waves
 
 
-def _arrow(waves, t, order=0):
+def _arrow(waves: Sequence[tuple[mpmath.mpc, mpmath.mpc]], t: mpmath.mpf, order: int = 0) -> mpmath.mpc:
     """Σ a e^{λt}, or a derivative of it."""
     return mpmath.fsum(a * rate**order * mpmath.exp(rate * t) for a, rate in waves)
 
 
-def _looks(waves, until):
+def _looks(waves: Sequence[tuple[mpmath.mpc, mpmath.mpc]], until: mpmath.mpf) -> list[mpmath.mpf]:
     """Instants from 0 to an end, so many in each beat."""
     apart = abs(mpmath.im(waves[0][1]) - mpmath.im(waves[-1][1]))
     count = LOOKS * (1 + int(mpmath.ceil(until * apart / (2 * mpmath.pi))))
     return [until * k / count for k in range(count + 1)]
 
 
-def _turns(waves, until):
+def _turns(waves: Sequence[tuple[mpmath.mpc, mpmath.mpc]], until: mpmath.mpf) -> list[mpmath.mpf]:
     """The instants at which the envelope turns, ascending: roots of the rate of its square."""
-    def slope(t):
+    def slope(t: mpmath.mpf) -> mpmath.mpf:
         return mpmath.re(mpmath.conj(_arrow(waves, t)) * _arrow(waves, t, 1))
 
     times = _looks(waves, until)

@@ -53,9 +53,10 @@ def waves(nodes: "Sequence[Node]", scene: "Scene") -> WavesInTime:
                  [part.args[0] for part in calls], rates)
 
 
-def in_frequencies(found: WavesInTime, known: "Mapping[str, Any]") -> tuple[list, list[tuple[Any, list]]]:
+def in_frequencies(found: WavesInTime,
+                   known: "Mapping[str, Any]") -> tuple[list[mpmath.mpf], list[tuple[mpmath.mpf, list[mpmath.mpc]]]]:
     """([f₀], [(Ω, [P])]) of all functions; PhysicsError where one is not linear in its waves."""
-    def at(values):
+    def at(values: "Sequence[mpmath.mpf]") -> "list[mpmath.mpf]":
         return evaluate(found.nodes, multiprecision(), {**known, **dict(zip(found.letters, values, strict=True))})
 
     count = len(found.letters)
@@ -67,7 +68,7 @@ def in_frequencies(found: WavesInTime, known: "Mapping[str, Any]") -> tuple[list
         terms = [y, *(a * b for a, b in zip(tried, parts, strict=True))]
         if abs(x - mpmath.fsum(terms)) > mpmath.mpf(10) ** (8 - mpmath.mp.dps) * max(map(abs, terms)):
             raise PhysicsError(REFUSED)
-    together: dict[Any, list] = {}
+    together: dict[Any, list[Any]] = {}
     for (Omega, P), parts in zip(found.phasors(known), slopes, strict=True):
         if not Omega:
             still = [x + mpmath.re(P) * part for x, part in zip(still, parts, strict=True)]

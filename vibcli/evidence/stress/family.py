@@ -16,8 +16,8 @@ class StressFamily(NamedTuple):
     knob: str
     values: Sequence[str]
     scene: Callable[[str], Mapping[str, Any]]
-    plain: tuple[str, str, str] | Callable[[str], list]
-    truth: Callable[[str], tuple[list, Any]] | None = None
+    plain: tuple[str, str, str] | Callable[[str], list[Any]]
+    truth: Callable[[str], tuple[list[Any], Any]] | None = None
 
 
 def powers(first: int, last: int, step: int = 1) -> tuple[str, ...]:
@@ -25,10 +25,10 @@ def powers(first: int, last: int, step: int = 1) -> tuple[str, ...]:
     return tuple(f"1e{k}" for k in range(first, last + (1 if step > 0 else -1), step))
 
 
-def chain(masses: Sequence[str], stiffnesses: Sequence[str], dampers: Sequence[str] = ()) -> dict[str, dict]:
+def chain(masses: Sequence[str], stiffnesses: Sequence[str], dampers: Sequence[str] = ()) -> dict[str, Any]:
     """Masses in a row on springs, the first on the ground, one spring more than masses where the last is held, too."""
     ends = ["ground", *(f"m{i}" for i in range(1, len(masses) + 1)), "ground"]
-    found: dict[str, dict] = {
+    found: dict[str, dict[Any, Any]] = {
         "bodies": {f"m{i}": {"mass": mass, "slide": f"x{i}"} for i, mass in enumerate(masses, 1)},
         "springs": {f"s{i}": {"k": k, "between": ends[i - 1:i + 1]} for i, k in enumerate(stiffnesses, 1)}}
     if dampers:

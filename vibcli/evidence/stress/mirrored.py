@@ -8,7 +8,7 @@ has a sense that nobody mirrors here is refused by its name.
 import re
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any
+from typing import Any, cast
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError
@@ -58,7 +58,7 @@ def _sequences(node: Any) -> Iterator[Sequence]:
         yield from _sequences(part)
 
 
-def _is_place(node):
+def _is_place(node: Sequence) -> bool:
     """Two expressions, one of which at least is no name."""
     return len(node.items) == 2 and all(isinstance(one, Scalar) for one in node.items) and not all(
         PLAIN.fullmatch(one.text.split(".")[0].strip()) for one in node.items)
@@ -75,7 +75,7 @@ class _Sections:
     members in the plane, whose displacement across is to the left of their way from end to end; `lines`: surfaces."""
 
     def __init__(self, turned: frozenset[str], drawn: frozenset[str] = frozenset(),
-                 lines: frozenset[str] = frozenset()):
+                 lines: frozenset[str] = frozenset()) -> None:
         self.turned, self.drawn, self.lines = turned, drawn, lines
         names = "|".join(map(re.escape, sorted(turned, key=len, reverse=True)))
         self._names = re.compile(rf"(?<![\w.'])({names})('*)(?![\w.(\[])") if turned else None
@@ -145,7 +145,7 @@ class _Sections:
         """A beam, string, bar or shaft, which has ends that are drawn or no place at all."""
         return _each(record, lambda name, node: self.vector(node) if name in ("from", "to") else node)
 
-    def _part_of_body(self, name, node):
+    def _part_of_body(self, name: str, node: Any) -> Any:
         if name in BODY:
             return node
         if name in ("at", "from", "to"):
@@ -162,7 +162,7 @@ class _Sections:
             return _each(node, lambda _, at: self.vector(at)) if isinstance(node, Mapping) else self.vector(node)
         raise PhysicsError(f"what '{name}' of a body is in a mirror is not told")
 
-    def _motion(self, kind, node):
+    def _motion(self, kind: str, node: Any) -> Mapping:
         if not isinstance(node, Mapping):
             node = Mapping(node.where, {"by": (Scalar("by", node.where), node)})
         by, entries = node.entries["by"], dict(node.entries)
@@ -176,7 +176,7 @@ class _Sections:
             entries["along"] = key, self.vector(along)
         return Mapping(node.where, entries)
 
-    def _part_of_roll(self, name, node):
+    def _part_of_roll(self, name: str, node: Any) -> Any:
         if name in TURNS["roll"]:
             return self._turned_by(node)
         if name == "flat":
@@ -187,17 +187,17 @@ class _Sections:
 
     def surface(self, record: Any) -> Any:
         """A line, a circle or the curve y = f(x), in the mirror f(−x)."""
-        def part(name, node):
+        def part(name: str, node: Any) -> Any:
             if name == "curve":
                 return _of_negative(node, record.entries["in"][1].text.strip())
             return self._ends(node) if name == "line" else self.vector(node) if name == "circle" else node
 
         return _each(record, part)
 
-    def _displacement(self, node):
-        return node if PLAIN.fullmatch(node.text.strip()) else self.expression(node)
+    def _displacement(self, node: Any) -> Scalar:
+        return cast("Scalar", node if PLAIN.fullmatch(node.text.strip()) else self.expression(node))
 
-    def _turned_by(self, node):
+    def _turned_by(self, node: Any) -> Any:
         if isinstance(node, Sequence):
             found = Sequence(node.where)
             found.items.extend(self._turned_by(one) if place % 2 == 0 else self._displacement(one)
@@ -215,7 +215,7 @@ class _Sections:
             found = Mapping(found.where, {**found.entries, "preload": (key, self.negative(preload))})
         return found
 
-    def _part_of_connection(self, letter, name, node):
+    def _part_of_connection(self, letter: str, name: str, node: Any) -> Any:
         if name == "between":
             return self._list(node, self.vector)
         if name not in CONNECTION:
@@ -239,7 +239,7 @@ class _Sections:
             else self.vector(node) if isinstance(node, Sequence)
             else self.expression(node) if name in ("force", "value") else node))
 
-    def _unbalance(self, record):
+    def _unbalance(self, record: Any) -> Mapping:
         """u Ω² (−cos Ωt, sin Ωt), which turns the other way."""
         if record.entries.keys() != {"at", "unbalance", "speed"}:
             raise PhysicsError("an unbalance is mirrored by its 'at', 'unbalance' and 'speed' alone")
@@ -258,15 +258,15 @@ class _Sections:
         return _each(record, lambda name, node: self.expression(node) if name == "equation" else
                      self._ends(node) if isinstance(node, Sequence) and name != "point" else self.vector(node))
 
-    def _ends(self, node):
+    def _ends(self, node: Any) -> Sequence:
         return self._list(node, lambda one: self._guide(one) if isinstance(one, Mapping) else self.vector(one))
 
-    def _list(self, node, change):
+    def _list(self, node: Any, change: Callable[[Any], Any]) -> Sequence:
         found = Sequence(node.where)
         found.items.extend(map(change, node.items))
         return found
 
-    def _guide(self, record):
+    def _guide(self, record: Any) -> Mapping:
         """A pulley that a rope passes, on its other side."""
         return Mapping(record.where, {OTHER_SIDE.get(name, name): (key, self.vector(node))
                                       for name, (key, node) in record.entries.items()})
@@ -278,13 +278,13 @@ class _Sections:
         return _each(record, lambda name, node: self.vector(node) if name in ("at", "moves") else node)
 
 
-def _of_negative(node, name):
+def _of_negative(node: Any, name: str) -> Scalar:
     """An expression of a variable at its negative."""
     text = re.sub(rf"(?<![\w.'])({re.escape(name)})('*)(?![\w.(\[])", r"(-\1\2)", node.text)
     return Scalar(text, node.where, node.quoted)
 
 
-def _part_of_torsion(letter, name, node):
+def _part_of_torsion(letter: str, name: str, node: Any) -> Any:
     """−F(−d) of a law F(d), −F(−v) of a damper: it turns the other way round."""
     if name in ("law", "acts") and not isinstance(node, Scalar):
         raise PhysicsError("a torsion whose law is a table is not mirrored")
@@ -293,7 +293,7 @@ def _part_of_torsion(letter, name, node):
     return Scalar(OTHER_WAY.get(node.text, node.text), node.where) if name == "acts" else node
 
 
-def _right(where):
+def _right(where: Any) -> Sequence:
     """[1, 0]"""
     found = Sequence(where)
     found.items.extend([Scalar("1", where), Scalar("0", where)])

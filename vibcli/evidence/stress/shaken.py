@@ -5,8 +5,8 @@ round: equal to the last bit. Coordinates and elements in another order, each sp
 within the bounds of both.
 """
 
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, cast
 
 import mpmath
 
@@ -51,7 +51,7 @@ def shaken(problem: Problem) -> Iterator[Shake]:
         yield _shake(problem, law)
 
 
-def _shake(problem, law):
+def _shake(problem: Problem, law: Rewriting) -> Shake:
     try:
         pairs = [pair for damped in (False, True) for pair in _pairs(problem, law, damped)]
     except PhysicsError as error:
@@ -64,7 +64,7 @@ def _shake(problem, law):
     return Shake(law.name, len(pairs), apart, verdict)
 
 
-def _pairs(problem, law, damped):
+def _pairs(problem: Problem, law: Rewriting, damped: bool) -> list[tuple[complex, complex, float]]:
     """[(λ, λ of the changed system over its rate, the sum of their bounds)] of natural or damped modes; [None] where
     these are not as many."""
     configuration = problem.configuration
@@ -79,7 +79,8 @@ def _pairs(problem, law, damped):
             for (a, error), (b, other) in zip(one, two, strict=True)]
 
 
-def _rates(elements, sources, damped):
+def _rates(elements: FactoredSystem, sources: Sequence[Callable[..., Any]],
+           damped: bool) -> list[tuple[complex, float]]:
     """[(λ, the relative bound of its error)] by Im λ and Re λ."""
     precise, exact = sources
     found = natural_modes(elements, precise, exact)
@@ -91,12 +92,12 @@ def _rates(elements, sources, damped):
     return sorted(pairs, key=lambda pair: (pair[0].imag, pair[0].real))
 
 
-def _following(change, source):
+def _following(change: Callable[..., Any], source: Callable[..., Any]) -> Callable[..., FactoredSystem] | None:
     """What evaluates element data, changed."""
-    def changed(*args):
+    def changed(*args: Any) -> "FactoredSystem | None":
         with mpmath.workprec(EXACT):
             found = source(*args)
-            return None if found is None else change(found)
+            return cast("FactoredSystem | None", None if found is None else change(found))
     return None if source is None else changed
 
 
@@ -139,8 +140,9 @@ def _reordered(elements: FactoredSystem) -> FactoredSystem:
     """Coordinates and elements from the last to the first."""
     found = _moved(lambda i, n: n - 1 - i, lambda i: 1)(elements)
     rows = found.rational_rows
-    return found.with_parts(inertias=found.inertias[::-1], springs=found.springs[::-1], dampers=found.dampers[::-1],
-                            rational_rows=None if rows is None else rows[::-1])
+    return cast("FactoredSystem", found.with_parts(
+        inertias=found.inertias[::-1], springs=found.springs[::-1], dampers=found.dampers[::-1],
+        rational_rows=None if rows is None else rows[::-1]))
 
 
 def _in_parallel(elements: Any) -> Any:

@@ -6,6 +6,7 @@ lies within the bounds of both is no move.
 
 import math
 from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
@@ -14,6 +15,9 @@ from vibcli.language.document.nodes import Mapping
 from vibcli.quantities.expression import bounded
 from vibcli.quantities.quantity import COMPLEX, LEAPING, OF_STATE, kind_of
 from vibcli.results.problem import Problem
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
 
 MOST = 17       # digits: a float has no more
 
@@ -47,7 +51,7 @@ def supported(problem: Problem, top: Mapping, remade: Callable[[Callable[[Mappin
             yield _support(problem, answer.asked, moved)._replace(held=tuple(held))
 
 
-def _support(problem, asked, moved):
+def _support(problem: Problem, asked: "Expression", moved: dict[str, Problem]) -> SupportedAnswer:
     try:
         value, error = bounded(problem, asked)
         apart = {told: _apart(value, error, *bounded(other, asked)) for told, other in moved.items()}
@@ -60,6 +64,6 @@ def _support(problem, asked, moved):
     return SupportedAnswer(asked.text, float(value), max(digits, 0.0), max(apart, key=apart.__getitem__))
 
 
-def _apart(value, error, there, error_there):
+def _apart(value: float, error: float, there: float, error_there: float) -> float:
     off = abs(there - value)
     return off if off > error + error_there else 0.0

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
@@ -35,6 +35,11 @@ from vibcli.reader.sections.choose import LIMIT
 from vibcli.results.problem import Problem
 from vibcli.symbolic.running_errors import error_in, number_in
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.language.document.nodes import Mapping
+    from vibcli.language.reader import Expression, Record
+    from vibcli.language.spec import Spec
 
 RATE = {"s": -1}
 AT_LIMIT = 2.0**-26     # of the largest rate: what rounding leaves of one that vanishes at a limit of stability
@@ -73,7 +78,7 @@ LAWS = (_of_units(1, 0, 0), _of_units(0, 1, 0), _of_units(0, 0, 1), SceneLaw("el
         SceneLaw("springs as two in parallel", in_parallel), SceneLaw("mirrored", mirrored))
 
 
-def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -> Iterator[Shake]:
+def shaken_as_a_whole(problem: Problem, remade: "Callable[[Callable[[Mapping], Mapping]], Problem]") -> Iterator[Shake]:
     """The Shakes of a scene in numbers; remade(change): the Problem of its document changed."""
     known = {what: numbers for what, find in GROUPS.items() if (numbers := _found(find, problem)[0])}
     for law in LAWS:
@@ -96,7 +101,7 @@ def shaken_as_a_whole(problem: Problem, remade: Callable[[Callable], Problem]) -
                     key: one._replace(value=-one.value) if key in turned else one for key, one in told.items()})
 
 
-def _require_told(problem, law):
+def _require_told(problem: Problem, law: SceneLaw) -> None:
     """PhysicsError where units change, and not all that is given does with them, or springs, and what is chosen hangs
     on the name of one."""
     conditions = [record["so"].text for record in (problem.spec.choices or {}).values()]
@@ -114,7 +119,7 @@ def _require_told(problem, law):
             raise PhysicsError("its records stay as they were measured")
 
 
-def _parts(spec):
+def _parts(spec: "Spec") -> "Iterator[Record]":
     """The records of springs and dampers, and of all that they consist of."""
     pending = [record for kind in ("springs", "dampers") for record in (spec.get(kind) or {}).values()]
     while pending:
@@ -122,34 +127,34 @@ def _parts(spec):
         pending += [part for key in PARTS for part in record.get(key, ())]
 
 
-def _measured(record):
+def _measured(record: "Record") -> bool:
     """Is its law a table of a file?"""
     law = record.get("law")
     return isinstance(law, LawTable) and law.points[0][0].expression is None
 
 
-def _require_alike(problem, law, turned):
+def _require_alike(problem: Problem, law: SceneLaw, turned: set[str]) -> None:
     """PhysicsError where what is chosen hangs on a sense that a mirror turns."""
     conditions = [record["so"] for record in (problem.spec.choices or {}).values()]
     if not all(one.word or _is_told(one.text, law, problem, turned) for one in conditions):
         raise PhysicsError("what is chosen hangs on what has another sense in a mirror")
 
 
-def _power(measured, law):
+def _power(measured: Any, law: SceneLaw) -> Fraction:
     """That of 4 by which what has a dimension grows."""
     return sum((step * Fraction(measured.get(base, 0)) for base, step in
                 zip(("m", "kg", "s"), law.powers, strict=True)), Fraction(0))
 
 
-def _changed(problem, law, turned, top):
+def _changed(problem: Problem, law: SceneLaw, turned: set[Any], top: "Mapping") -> "Mapping":
     """The document changed; `turned` holds the coordinates then that have the other sign in it."""
     if law.change is mirrored:
         turned |= turned_round(top)
         _require_alike(problem, law, turned)
-    return law.change(top)
+    return cast("Mapping", law.change(top))
 
 
-def _found(find, problem):
+def _found(find: Callable[[Problem], dict[str, Bounded]], problem: Problem) -> tuple[dict[str, Bounded], str]:
     """(numbers, ""), or (nothing, why) of what is refused."""
     try:
         return find(problem), ""
@@ -157,7 +162,7 @@ def _found(find, problem):
         return {}, error.message
 
 
-def _shake(problem, other, law, what, numbers):
+def _shake(problem: Problem, other: Problem, law: SceneLaw, what: str, numbers: dict[str, Bounded]) -> Shake:
     """The Shake of the numbers of a scene beside those of the one written otherwise."""
     name = f"{law.name}: {what}"
     if what == "answers" and set(other.scene.coordinates) != set(problem.scene.coordinates):
@@ -178,19 +183,19 @@ def _shake(problem, other, law, what, numbers):
     return Shake(name, len(pairs), apart, EQUAL if not far else WITHIN if apart <= 1 and not exact else BROKEN, worst)
 
 
-def _beside_angles(problem):
+def _beside_angles(problem: Problem) -> bool:
     """Do lengths stand beside angles in a scene that has no size to measure them by?"""
     lengths = {bool(problem.system.dimension(name)) for name in problem.scene.coordinates}
     return len(lengths) > 1 and not problem.numeric.figure_size
 
 
-def _back(one, law):
+def _back(one: Bounded, law: SceneLaw) -> Bounded:
     """A number of the scene written otherwise in the units of the first."""
     factor = float(power_of_two(_power(one.dimension, law)))
     return Bounded(one.value / factor, one.error / factor, one.dimension)
 
 
-def _is_told(key, law, problem, turned):
+def _is_told(key: str, law: SceneLaw, problem: Problem, turned: set[str]) -> bool:
     """Where springs are two, what is asked of one by its name is another thing; what has a sense is in a mirror, what
     is numbered in another order."""
     if law.change is mirrored and ("." in key or key not in problem.scene.coordinates):
@@ -203,18 +208,18 @@ def _is_told(key, law, problem, turned):
     return law.change is not in_parallel or not _names_a_spring(problem.spec, key)
 
 
-def _names_a_spring(spec, text):
+def _names_a_spring(spec: "Spec", text: str) -> bool:
     return any(re.search(rf"\b{re.escape(name)}[.,\]]", text) for name in spec.get("springs") or ())
 
 
-def _places(problem):
+def _places(problem: Problem) -> dict[str, Bounded]:
     """{coordinate: where it rests}."""
     values = problem.configuration.bounded_rest[1]
     return {name: Bounded(float(number_in(values[name])), float(error_in(values[name])), problem.system.dimension(name))
             for name in problem.scene.coordinates}
 
 
-def _rates(problem):
+def _rates(problem: Problem) -> dict[str, Bounded]:
     """{which mode: λ} of natural modes, and of damped ones, by Im λ and Re λ, of lumped bodies."""
     if problem.scene.pieces or problem.modal.many:
         return {}
@@ -226,7 +231,7 @@ def _rates(problem):
             for number, (rate, error) in enumerate(sorted(found, key=lambda one: (one[0].imag, one[0].real)), 1)}
 
 
-def _felt(problem, largest):
+def _felt(problem: Problem, largest: float) -> Callable[..., float]:
     """By how much what is chosen may be off in a rate of a size."""
     conditions = [record["so"] for record in (problem.spec.choices or {}).values()]
     vanishing = AT_LIMIT * largest * any(one.word == LIMIT or "0" in [side.text for side in one.sides]
@@ -235,7 +240,7 @@ def _felt(problem, largest):
     return lambda size: max(others, vanishing if size <= vanishing else 0.0)
 
 
-def _answers(problem):
+def _answers(problem: Problem) -> dict[str, Bounded]:
     """{what is asked: its value} of numbers that hang on no order of coordinates, in the order of the file."""
     found = {}
     for answer in problem.spec.answers:
@@ -251,7 +256,7 @@ def _answers(problem):
     return found
 
 
-def _dimension(spec, asked):
+def _dimension(spec: "Spec", asked: "Expression") -> Any:
     try:
         found = (asked_dimension(spec, asked.tree) if isinstance(asked.tree, QuantityRef) else
                  dimension_of(spec, asked))

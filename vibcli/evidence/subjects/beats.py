@@ -1,6 +1,6 @@
 """The period of beats of a free motion, T = 2π/|ω₁ − ω₂|, of two modes whose rates others find, too."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 
@@ -40,7 +40,7 @@ def between_modes(problem: "Problem", tree: "QuantityRef") -> Subject:
         value, bound = measure(problem.afresh(), tree)
         return MethodAnswer([value], bound)
 
-    def error(found: "Sequence", known: TrueValues) -> float:
+    def error(found: "Sequence[Any]", known: TrueValues) -> float:
         with mpmath.workdps(known.working):
             value = found[0] if len(found) == 1 else _between(found, [true[i] for i in places])
             return float(abs(value / known.values[0] - 1))
@@ -50,7 +50,7 @@ def between_modes(problem: "Problem", tree: "QuantityRef") -> Subject:
                             error=error)
 
 
-def _between(found, rates):
+def _between(found: "Sequence[complex]", rates: "Sequence[mpmath.mpc]") -> mpmath.mpf:
     """The period by the numbers found next to these rates."""
     one, two = (min(found, key=lambda x: abs(mpmath.mpmathify(x) - rate)) for rate in rates)
     apart = abs(mpmath.mpf(complex(one).imag) - mpmath.mpf(complex(two).imag))

@@ -11,7 +11,10 @@ from vibcli.evidence.subjects import DAMPED, NATURAL, SUBJECTS
 from vibcli.quantities.quantity import counted
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.mode_sequence import Modes
+    from vibcli.mechanics.factored_system import FactoredSystem
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.syntax import QuantityRef
 
 LEAST, MOST = 3, 12     # modes of members
 
@@ -27,7 +30,7 @@ def natural(problem: "Problem", tree: Any) -> Subject:
     true = (modal.eigenvalues if gyroscopic else modal.rates)(
         lambda digits: _undamped(configuration.precise_system(digits)))
 
-    def ours():
+    def ours() -> MethodAnswer:
         return _rates(ModalAnalysis(configuration).modes)
 
     kind = "damped modes" if gyroscopic else "modes"
@@ -35,26 +38,26 @@ def natural(problem: "Problem", tree: Any) -> Subject:
                    (M, G, K), relative_error)
 
 
-def _of_members(problem, elements, tree):
+def _of_members(problem: "Problem", elements: "FactoredSystem", tree: "QuantityRef") -> Subject:
     """As many as the highest that is asked for, at least so many."""
     configuration, count = problem.configuration, _highest(problem, tree, NATURAL)
     true = modal.as_rates(members.squares(lambda digits: _undamped(configuration.precise_system(digits)), count))
 
-    def ours():
+    def ours() -> MethodAnswer:
         return _rates(ModalAnalysis(configuration).modes.first(count))
 
     return Subject("member modes", "omega", f"natural modes of members, the lowest {count} rates λ = iω", problem, true,
                    ours, (elements.each(float), count), relative_error)
 
 
-def _highest(problem, tree, kind):
+def _highest(problem: "Problem", tree: "QuantityRef", kind: str | tuple[str, str]) -> int:
     asked = [*(part for answer in problem.spec.answers for part in answer.asked.parts.quantities), *[tree] * bool(tree)]
     numbers = [int(part.indices[0]) for part in asked
                if SUBJECTS.get(part.head) == kind and part.indices and part.indices[0].isdecimal()]
     return min(max([*numbers, LEAST]), MOST)
 
 
-def _rates(modes):
+def _rates(modes: "Modes") -> MethodAnswer:
     return MethodAnswer([complex(mode.growth_rate or 0.0, mode.omega or 0.0) for mode in modes],
                         max(mode.error for mode in modes))
 
@@ -72,7 +75,7 @@ def damped(problem: "Problem", tree: Any) -> Subject:
     M, C, G, K = elements.arrays()
     true = modal.eigenvalues(configuration.precise_system)
 
-    def ours():
+    def ours() -> MethodAnswer:
         modes = ModalAnalysis(configuration).damped
         return MethodAnswer([complex(mode.eigenvalue) for mode in modes], max(mode.error for mode in modes))
 
@@ -80,7 +83,7 @@ def damped(problem: "Problem", tree: Any) -> Subject:
     return Subject("damped modes", "eigenvalue", title, problem, true, ours, (M, C + G, K), relative_error)
 
 
-def _damped_of_members(problem, elements, tree):
+def _damped_of_members(problem: "Problem", elements: "FactoredSystem", tree: "QuantityRef") -> Subject:
     """As many eigenvalues as the highest mode that is asked for, at least so many."""
     configuration, count = problem.configuration, _highest(problem, tree, DAMPED)
     true = member_damped_modes.eigenvalues(configuration.precise_system, count)
@@ -93,7 +96,7 @@ def _damped_of_members(problem, elements, tree):
                    "with Im λ ≥ 0", problem, true, ours, (elements.each(float), count), relative_error)
 
 
-def _element_data(problem):
+def _element_data(problem: "Problem") -> "FactoredSystem":
     elements = problem.configuration.linear_system
     if problem.configuration.sources[0] is None:
         raise PhysicsError("the equilibrium is known to the digits of floats, and no reference can be found there",
@@ -101,5 +104,5 @@ def _element_data(problem):
     return elements
 
 
-def _undamped(elements):
+def _undamped(elements: "FactoredSystem") -> "FactoredSystem":
     return elements.with_parts(dampers=(), C={}, drag={})

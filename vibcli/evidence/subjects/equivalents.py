@@ -25,6 +25,7 @@ from vibcli.quantities.quantity import about_which, declared
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Record
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
@@ -40,7 +41,7 @@ def of_place(problem: "Problem", tree: "QuantityRef") -> Subject:
     one = problem if which is None else equilibrium.about(problem, int(which))
     static, size = equations(one.configuration), declared(asked).size(one, asked)
 
-    def found() -> tuple[list, Any]:
+    def found() -> "tuple[list[mpmath.mpf], float | mpmath.mpf]":
         arithmetic = multiprecision()
         known = one.numeric.values(arithmetic)
         rest = {**known, **resting_place(one.configuration, static, known)}
@@ -56,7 +57,7 @@ def of_place(problem: "Problem", tree: "QuantityRef") -> Subject:
                      abs(float(true.values[0])) or size, lambda: problem.about(Configuration(problem.numeric)))
 
 
-def _tensor(force, step):
+def _tensor(force: Callable[..., tuple[mpmath.mpf, mpmath.mpf]], step: mpmath.mpf) -> list[mpmath.mpf]:
     """(xx, xy, yy) of K."""
     def entry(axis: int, powers: tuple[int, int]) -> Any:
         return coefficient(lambda u: force(u)[axis], powers, [step, step])
@@ -64,7 +65,7 @@ def _tensor(force, step):
     return [entry(0, (1, 0)), entry(0, (0, 1)), entry(1, (0, 1))]
 
 
-def _read(component, tensor, numbers, small):
+def _read(component: str, tensor: list[mpmath.mpf], numbers: Any, small: mpmath.mpf) -> mpmath.mpf:
     """Its entry, or its largest or least value, or the direction of the largest: a part of it as small is none."""
     xx, xy, yy = tensor
     if component in ("xx", "xy", "yy"):
@@ -76,7 +77,7 @@ def _read(component, tensor, numbers, small):
     return middle + half if component == "max" else middle - half
 
 
-def _force(problem, asked, arithmetic, rest) -> Force:
+def _force(problem: "Problem", asked: "QuantityRef", arithmetic: Any, rest: dict[str, float | mpmath.mpf]) -> Force:
     """The sum of what all elements exert that end there."""
     section, place = SECTIONS[asked.head], asked.indices[0]
     here, scene = same_place(problem.spec, problem.scene.resting, place), problem.scene.resting
@@ -85,7 +86,8 @@ def _force(problem, asked, arithmetic, rest) -> Force:
     return lambda u: tuple(sum(axis) for axis in zip(*(part(u) for part in parts), strict=True))
 
 
-def _of_element(problem, record, here, arithmetic, rest):
+def _of_element(problem: "Problem", record: "Record", here: set[str], arithmetic: Any,
+                rest: dict[str, float | mpmath.mpf]) -> Callable[[Sequence[Any]], tuple[Any, Any]]:
     """That of one, by its tension along the line of its ends."""
     scene = problem.scene.resting
     ends = sorted(record["between"], key=lambda end: getattr(end, "text", None) in here)
@@ -109,5 +111,5 @@ def _of_element(problem, record, here, arithmetic, rest):
     return on_place
 
 
-def _root(x, y, half):
+def _root(x: float | mpmath.mpf, y: float | mpmath.mpf, half: float | mpmath.mpf) -> float | mpmath.mpf:
     return (x * x + y * y) ** half

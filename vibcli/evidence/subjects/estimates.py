@@ -1,7 +1,7 @@
 """Estimates of natural frequencies by Rayleigh, Dunkerley and Ritz, without members."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from vibcli.quantities.expression import measure
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
@@ -27,7 +29,7 @@ def rayleigh(problem: "Problem", tree: "QuantityRef") -> Subject:
 
     def plain() -> float:
         bent = np.linalg.solve(K, M @ alike)
-        return np.sqrt(bent @ K @ bent / (bent @ M @ bent))
+        return cast("float", np.sqrt(bent @ K @ bent / (bent @ M @ bent)))
 
     return _subject(problem, tree, reference.rayleigh(problem.configuration.precise_system, alike), plain)
 
@@ -48,13 +50,13 @@ def ritz(problem: "Problem", tree: "QuantityRef") -> Subject:
     def plain() -> float:
         import scipy.linalg
 
-        return scipy.linalg.eigh(Phi.T @ K @ Phi, Phi.T @ M @ Phi, eigvals_only=True)[number - 1] ** 0.5
+        return cast("float", scipy.linalg.eigh(Phi.T @ K @ Phi, Phi.T @ M @ Phi, eigvals_only=True)[number - 1] ** 0.5)
 
     return _subject(problem, tree, reference.ritz(
         problem.configuration.precise_system, lambda: _shapes(problem, multiprecision()), number), plain)
 
 
-def _matrices(problem, tree):
+def _matrices(problem: "Problem", tree: "QuantityRef") -> tuple[np.ndarray, np.ndarray]:
     """(M, K) in floats, refused where there is no estimate, or no matrix."""
     measure(problem, tree)
     if problem.scene.pieces:
@@ -63,7 +65,7 @@ def _matrices(problem, tree):
     return M, K
 
 
-def _shapes(problem, arithmetic):
+def _shapes(problem: "Problem", arithmetic: Any) -> "list[list[float | mpmath.mpf]]":
     """A list of amplitudes for each shape."""
     scene, known = problem.scene, problem.numeric.values(arithmetic)
     zero = arithmetic.number(0)

@@ -1,7 +1,7 @@
 """Coefficients of energies expanded about an equilibrium, and what of forces the geometry of springs makes."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.evidence.reference.differences import Function, coefficient, true_coefficient
 from vibcli.evidence.reference.static_positions import equations, resting_place
@@ -17,7 +17,10 @@ from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
 if TYPE_CHECKING:
+    import mpmath
+
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.running_errors import RunningErrors
     from vibcli.symbolic.syntax import QuantityRef
 
 FORCES = "of what the geometry of a spring adds to a restoring force"
@@ -33,7 +36,9 @@ def of_correction(problem: "Problem", tree: "QuantityRef") -> Subject:
     return _subject(problem, tree, 1, _correction, FORCES)
 
 
-def _subject(problem, tree, index, made, title):
+def _subject(problem: "Problem", tree: "QuantityRef", index: int,
+             made: "Callable[[Problem, QuantityRef, list[str], Any, dict[str, float | mpmath.mpf]], Any]",
+             title: str) -> Subject:
     measure(problem, tree)          # refused where there is none
     asked, which = about_which(tree)
     one = problem if which is None else equilibrium.about(problem, int(which))
@@ -45,14 +50,15 @@ def _subject(problem, tree, index, made, title):
     def function() -> Function:
         arithmetic = multiprecision()
         known = one.numeric.values(arithmetic)
-        return made(one, asked, names, arithmetic, {**known, **resting_place(one.configuration, static, known)})
+        place = {**known, **resting_place(one.configuration, static, known)}
+        return cast("Function", made(one, asked, names, arithmetic, place))
 
     size = declared(asked).size(one, asked) or 1.0
     true = true_coefficient(function, list(powers.values()), units, size)
     plain = made(one, asked, names, Floats, one.configuration.at_rest)
 
     def estimate(step: float) -> float:
-        return coefficient(plain, list(powers.values()), [step * unit for unit in units])
+        return cast("float", coefficient(plain, list(powers.values()), [step * unit for unit in units]))
 
     return of_number(BY_DIFFERENCES, one, tree, title, true, estimate, abs(float(true.values[0])) or size,
                      lambda: problem.about(Configuration(problem.numeric)))
@@ -66,13 +72,15 @@ def moved(problem: "Problem", names: Sequence[str], arithmetic: Any, rest: Mappi
     return lambda by: {**known, **{name: known[name] + x for name, x in zip(names, by, strict=True)}}
 
 
-def _energy(problem, asked, names, arithmetic, rest):
+def _energy(problem: "Problem", asked: "QuantityRef", names: list[str], arithmetic: "RunningErrors",
+            rest: "dict[str, float | mpmath.mpf]") -> "Callable[..., float | mpmath.mpf]":
     scene = problem.scene.resting
     node, there = {"V": potential, "T": kinetic}[asked.head](scene), moved(problem, names, arithmetic, rest)
     return lambda by: evaluate([node], arithmetic, there(by))[0]
 
 
-def _correction(problem, asked, names, arithmetic, rest):
+def _correction(problem: "Problem", asked: "QuantityRef", names: list[str], arithmetic: "RunningErrors",
+                rest: "dict[str, float | mpmath.mpf]") -> Callable[[Sequence[Any]], Any]:
     """F(s) ∂s/∂x − F(s₀ + s′ξ) (∂s/∂x)₀ of the spring with the deflection s, along the first of the coordinates."""
     scene, at = problem.scene.resting, moved(problem, names, arithmetic, rest)
     terms = scene.terms_of(asked.indices[0], "springs", "laws")

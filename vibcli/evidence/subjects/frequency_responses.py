@@ -18,6 +18,7 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import QuantityRef, parts_of
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.settled import TrueValues
     from vibcli.results.problem import Problem
 
 TITLES = {"peak": "peak", "antiresonance": "antiresonance", "half_power": "half-power point"}
@@ -36,8 +37,8 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
         return 2 * mpmath.pi * found if cycles else found
 
     (signal, driver), value = tree.indices, number_of(problem, tree.args[0])
-    read: Callable = abs if tree.head == "transmissibility" else complex
-    data: tuple
+    read: Callable[..., Any] = abs if tree.head == "transmissibility" else complex
+    data: tuple[Any, ...]
     if problem.configuration.linear_system.pieces:
         kind, true, data = _of_members(problem, signal, driver, Omega)
     else:
@@ -50,9 +51,10 @@ def at_frequency(problem: "Problem", tree: QuantityRef) -> Subject:
     return _subject(problem, tree, kind, "frequency response at a frequency", true, (*data, value, read))
 
 
-def _of_members(problem, signal, driver, Omega):
+def _of_members(problem: "Problem", signal: str, driver: str,
+                Omega: Callable[[], Any]) -> "tuple[str, TrueValues, tuple[Any, ...]]":
     """(kind, TrueValues, what finite elements are given)."""
-    def unit():
+    def unit() -> "dict[int, mpmath.mpf]":
         return member_responses.given_by(problem, driver)(Omega())
 
     if problem.spec.get("damping") is None:
@@ -63,7 +65,7 @@ def _of_members(problem, signal, driver, Omega):
                                     rated_members.damping_of(problem, signal))
 
 
-def _asked_elsewhere(problem, tree):
+def _asked_elsewhere(problem: "Problem", tree: QuantityRef) -> dict[str, mpmath.mpf]:
     """{omega[1]: number …} of what a frequency is made of besides parameters."""
     found = {}
     for part in parts_of(tree).quantities:
@@ -100,7 +102,8 @@ def of_part(problem: "Problem", tree: QuantityRef) -> Subject:
     return at_frequency(problem, tree.args[0])
 
 
-def _subject(problem, tree, kind, title, true, data):
+def _subject(problem: "Problem", tree: QuantityRef, kind: str, title: str, true: "TrueValues",
+             data: tuple[Any, ...]) -> Subject:
     def ours() -> MethodAnswer:
         value, bound = measure(problem.afresh(), tree)
         return MethodAnswer([value], float(bound))

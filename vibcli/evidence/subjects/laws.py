@@ -1,5 +1,6 @@
 """Forces of springs and dampers by their laws, and the coefficients of these."""
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from vibcli.evidence.reference.differences import coefficient, true_coefficient
@@ -12,6 +13,11 @@ from vibcli.quantities.index_kinds import power_of_deflection
 from vibcli.symbolic.evaluation import Floats
 
 if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.evidence.reference.laws import LawInNumbers
+    from vibcli.evidence.reference.settled import TrueValues
+    from vibcli.language.reader import Record
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
@@ -35,12 +41,14 @@ def of_power(problem: "Problem", tree: "QuantityRef") -> Subject:
                     lambda step: coefficient(lambda d: plain.at(d[0])[0], [n], [step]))
 
 
-def _subject(kind, problem, tree, title, true, data):
+def _subject(kind: str, problem: "Problem", tree: "QuantityRef", title: str, true: "TrueValues",
+             data: "Callable[..., Callable[..., mpmath.mpf]] | tuple[LawInNumbers, float]") -> Subject:
     return of_number(kind, problem, tree, title, true, data, abs(float(true.values[0])) or 1.0,
                      lambda: problem.about(Configuration(problem.numeric)))
 
 
-def _record(problem, tree):
+def _record(problem: "Problem", tree: "QuantityRef") -> "Record":
     name = tree.indices[0]
-    return next(records[name] for section in ("springs", "dampers")
-                if name in (records := problem.spec.get(section) or {}))
+    found: Record = next(records[name] for section in ("springs", "dampers")
+                           if name in (records := problem.spec.get(section) or {}))
+    return found

@@ -1,6 +1,6 @@
 """What signals of small motions come to when what is free has died out."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference import long_after
@@ -11,8 +11,10 @@ from vibcli.evidence.subjects.vibrations import KIND, exact
 from vibcli.quantities.expression import measure
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.motion import Motion
     from vibcli.results.problem import Problem
-    from vibcli.symbolic.syntax import QuantityRef
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum
 
 TITLE = "when what is free has died out"
 
@@ -32,12 +34,12 @@ def steady_value(problem: "Problem", tree: "QuantityRef") -> Subject:
     return of_signal(KIND, problem, tree, TITLE, true, None)
 
 
-def _signal(problem, tree):
+def _signal(problem: "Problem", tree: "NameRef | Sum") -> "tuple[Motion, Node]":
     if problem.scene.pieces or problem.response.KIND != "small":
         raise PhysicsError("no reference is found of what this kind of motion comes to")
     return signal(problem, small(problem), tree)
 
 
-def _last(problem):
+def _last(problem: "Problem") -> float:
     """An instant after the last change of the loads."""
-    return max(problem.response.forcing().last.start, 1.0)
+    return cast("float", max(problem.response.forcing().last.start, 1.0))

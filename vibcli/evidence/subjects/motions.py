@@ -1,5 +1,6 @@
 """Numbers of a motion in time: values at instants, extremes and where they are, of coordinates and their rates."""
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,8 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
+    from vibcli.base.work import Work
+    from vibcli.evidence.reference.settled import TrueValues
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -104,14 +107,14 @@ def compared_with(problem: "Problem", motion: Motion, node: "Node", until: Fract
     return plain_equations(motion, node, float(until), feature)._replace(sizes=sizes)
 
 
-def _kept_up(kind, motion, work):
+def _kept_up(kind: str, motion: Motion, work: "Work") -> Motion:
     """The motion that is left of one when all else has died out."""
     if kind != "small":
         raise PhysicsError("no reference is found of the steady state of a full motion")
     return periodic.steady(motion, work).motion
 
 
-def _long_after(problem, tree, error):
+def _long_after(problem: "Problem", tree: QuantityRef, error: PhysicsError) -> Subject:
     """Of loads that are powers of the time; `error` of others."""
     if tree.head != "value":
         raise error
@@ -136,7 +139,8 @@ def followed(problem: "Problem") -> tuple[str, Motion]:
     return kind, (reference.small if kind == "small" else reference.full)(problem)
 
 
-def _until(problem, end, found):
+def _until(problem: "Problem", end: Fraction,
+           found: "Callable[..., TrueValues]") -> "tuple[Problem, Fraction, TrueValues, str]":
     """(problem, end, true values, words) of a motion up to an end; up to an earlier one where that takes minutes."""
     try:
         return problem, end, found(end), ""

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -32,28 +32,28 @@ def sensitivity(problem: "Problem", tree: "QuantityRef") -> Subject:
                      lambda: problem.about(Configuration(problem.numeric)))
 
 
-def _differences(configuration, number, name) -> Callable[[float], float]:
+def _differences(configuration: Configuration, number: int, name: str) -> Callable[[float], float]:
     """Central ones with a step relative to the parameter."""
     p = configuration.numeric.floats[name]
 
-    def omega(value):
+    def omega(value: float) -> float:
         given = {name: Fraction(value)}
         M, _, G, K = undamped(Configuration(configuration.numeric.sharing(given)).linear_system).arrays()
-        return sorted(x.imag for x in rates_of(_squares(M, G, K)).values)[number - 1]
+        return cast("float", sorted(x.imag for x in rates_of(_squares(M, G, K)).values)[number - 1])
 
-    def estimate(step):
+    def estimate(step: float) -> float:
         h = step * (abs(p) or 1.0)
         return (omega(p + h) - omega(p - h)) / (2 * h)
 
     return estimate
 
 
-def _squares(M, G, K):
+def _squares(M: np.ndarray, G: np.ndarray, K: np.ndarray) -> np.ndarray:
     """ω² of K φ = ω² M φ; of gyroscopic scenes by the state matrix."""
     import scipy.linalg
 
     if not G.any():
-        return scipy.linalg.eigvals(K, M)
+        return cast("np.ndarray", scipy.linalg.eigvals(K, M))
     n = len(M)
     A = np.block([[np.zeros_like(M), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, G)]])
     return -np.array([x for x in np.linalg.eigvals(A) if x.imag >= 0]) ** 2

@@ -17,6 +17,7 @@ from vibcli.symbolic.derivatives import gradient, substitute
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
     from vibcli.symbolic.syntax import QuantityRef
 
@@ -39,14 +40,14 @@ def of_state(problem: "Problem", tree: "QuantityRef") -> Subject:
                      compared_with(problem, motion, plain, until, "value"))
 
 
-def _damps_when_still(scene):
+def _damps_when_still(scene: "Scene") -> bool:
     """May what damps, or a load, hang on velocities where all coordinates are at rest?"""
     damps = scene.dampers or any(law.damper for law in scene.laws)
-    return (scene.timed and damps) or any(
+    return bool(scene.timed and damps) or any(
         load.weight.mask & v.mask for load in scene.forces for v in scene.v)
 
 
-def _nodes(problem, head, i, j=None) -> "tuple[Node, Node]":
+def _nodes(problem: "Problem", head: str, i: int, j: int | None = None) -> "tuple[Node, Node]":
     """(what the reference evaluates, what others do)."""
     scene = problem.scene
     parts, zero = dynamics(scene, scene.freedom.redundant), scene.table.zero

@@ -1,6 +1,6 @@
 """How a scene rests: coordinates, places, stretches, forces and energies of springs, reactions in an equilibrium."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.evidence.reference.static_positions import equations, true_position
@@ -16,7 +16,10 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.static_positions import StaticEquations
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 NOTHING = 1e-6      # of a reach: what is nearer to zero is measured by that
 
@@ -46,7 +49,7 @@ def at_rest(problem: "Problem", tree: QuantityRef) -> Subject:
                      lambda: problem.about(Configuration(problem.numeric)))
 
 
-def _of_springs(problem, scene, text):
+def _of_springs(problem: "Problem", scene: "Scene", text: str) -> "Node | None":
     """The expression of a coordinate, place, turn or stretch, or of a force or energy of springs; None of another."""
     node, (name, part, *_) = equilibrium.at_rest(problem, scene, text), signal_name(text)
     if node is None and part == "energy":
@@ -55,7 +58,7 @@ def _of_springs(problem, scene, text):
     return node
 
 
-def _reaction(problem, static, text):
+def _reaction(problem: "Problem", static: "StaticEquations", text: str) -> Any:
     """That of a force in a constraint or support."""
     name, part, *_ = signal_name(text)
     if part in CONTACT:

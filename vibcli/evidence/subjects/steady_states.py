@@ -1,8 +1,8 @@
 """Steady states under loads of one frequency: amplitudes and phases, means and rms values."""
 
 import cmath
-from collections.abc import Callable
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 import numpy as np
@@ -28,12 +28,17 @@ from vibcli.quantities.expression import measure
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.motion import Motion
+    from vibcli.evidence.reference.periodic import NoCommonPeriod
+    from vibcli.evidence.reference.settled import TrueValues
+    from vibcli.evidence.reference.steady_state import HarmonicLoads
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 TITLE = "steady state under loads of one frequency"
 PERIODS = 40        # of the slowest wave, over which means without a common period are taken
 FEW = 64            # bits of a period to which sizes are looked at
-READ: dict[str, Callable] = {"amplitude": abs, "phase": lambda X: -cmath.phase(1j * X)}     # of X in Re X e^{iΩt}
+READ: dict[str, Any] = {"amplitude": abs, "phase": lambda X: -cmath.phase(1j * X)}     # of X in Re X e^{iΩt}
 
 
 def of_wave(problem: "Problem", tree: QuantityRef) -> Subject:
@@ -50,7 +55,7 @@ def of_wave(problem: "Problem", tree: QuantityRef) -> Subject:
     return _wave(problem, tree, "response", true, data)
 
 
-def _of_members(problem, tree):
+def _of_members(problem: "Problem", tree: QuantityRef) -> Subject:
     """The same of a scene with members."""
     of = tree.args[0]
     if not isinstance(of, NameRef):
@@ -67,7 +72,7 @@ def _of_members(problem, tree):
                  (*data, float(Omega), READ[tree.head]))
 
 
-def _wave(problem, tree, kind, true, data):
+def _wave(problem: "Problem", tree: QuantityRef, kind: str, true: "TrueValues", data: tuple[Any, ...]) -> Subject:
     def ours() -> MethodAnswer:
         value, bound = measure(problem.afresh(), tree)
         return MethodAnswer([value], float(bound) * (abs(value) if tree.head == "phase" else 1))
@@ -106,7 +111,7 @@ def over_a_period(problem: "Problem", tree: QuantityRef) -> Subject:
     return of_signal("steady motion", problem, tree, TITLE, true, plain)
 
 
-def _over_a_common_period(problem, tree, motion, node):
+def _over_a_common_period(problem: "Problem", tree: QuantityRef, motion: "Motion", node: "Node") -> Subject:
     known = periodic.steady(motion, problem.work)
     true = periodic.over_a_period(known, node, tree.head, problem.work)
     period, start = periodic.at_the_start(known)
@@ -116,7 +121,8 @@ def _over_a_common_period(problem, tree, motion, node):
     return of_signal("steady motion", problem, tree, "steady state under loads that repeat themselves", true, plain)
 
 
-def _over_all_times(problem, tree, motion, node, error):
+def _over_all_times(problem: "Problem", tree: QuantityRef, motion: "Motion", node: "Node",
+                    error: "NoCommonPeriod") -> Subject:
     """Others follow it over many periods of the slowest wave, from the steady state on; `error` where loads are no sums
     of waves."""
     try:
@@ -131,19 +137,19 @@ def _over_all_times(problem, tree, motion, node, error):
     return of_signal("steady motion", problem, tree, "steady state under loads without a common period", true, plain)
 
 
-def _driven(problem, tree):
+def _driven(problem: "Problem", tree: QuantityRef) -> "tuple[HarmonicLoads, Node]":
     """(HarmonicLoads, the expression of the signal) of a quantity of one."""
     motion, node = _small_signal(problem, tree)
     return steady_state.driven(motion), node
 
 
-def _small_signal(problem, tree):
+def _small_signal(problem: "Problem", tree: QuantityRef) -> "tuple[Motion, Node]":
     if problem.response.KIND != "small":
         raise PhysicsError("no reference is found of steady states of this kind of motion")
     return signal(problem, small(problem), tree.args[0])
 
 
-def _turned(found, true):
+def _turned(found: Sequence[float], true: "TrueValues") -> float:
     """Between two angles, in full turns."""
     with mpmath.workdps(true.working):
         return float(abs(mpmath.arg(mpmath.expj(mpmath.mpf(float(found[0])) - true.values[0]))))

@@ -1,6 +1,6 @@
 """What is read off the vibrations in a signal: how large they are and how they die out, their beats and envelopes."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -15,12 +15,14 @@ from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import lower
 
 if TYPE_CHECKING:
+    from vibcli.evidence.reference.settled import TrueValues
+    from vibcli.evidence.reference.vibrations import Vibrations
     from vibcli.results.problem import Problem
     from vibcli.symbolic.syntax import QuantityRef
 
 KIND = "vibrations"
 SENSES = {"max": 1, "min": -1, "argmax": 1, "argmin": -1}
-READ: dict[str, Callable] = {       # of [(a, λ)], y = Re a e^{λt} = |a| cos(ωt − φ)
+READ: dict[str, Callable[..., Any]] = {       # of [(a, λ)], y = Re a e^{λt} = |a| cos(ωt − φ)
     "amplitude": lambda waves: abs(waves[0][0]),
     "phase": lambda waves: -mpmath.arg(waves[0][0]),
     "decrement": lambda waves: -2 * mpmath.pi * mpmath.re(waves[0][1]) / mpmath.im(waves[0][1]),
@@ -34,11 +36,11 @@ def of_one(problem: "Problem", tree: "QuantityRef") -> Subject:
     return _subject(problem, tree, "the one free vibration", vibrations.read(known, look, int(tree.head == "phase")))
 
 
-def _falling(problem, tree):
+def _falling(problem: "Problem", tree: "QuantityRef") -> Callable[[list[tuple[mpmath.mpc, mpmath.mpc]]], mpmath.mpf]:
     """The time in which it falls to a fraction, or the number of cycles in that."""
     fraction = exact(problem, parse(tree.indices[0]))
 
-    def look(waves):
+    def look(waves: "Sequence[tuple[mpmath.mpc, mpmath.mpc]]") -> mpmath.mpf:
         rate = waves[0][1]
         if not mpmath.re(rate) < 0 < fraction() < 1:
             raise PhysicsError("a reference is found of what falls to a fraction between 0 and 1")
@@ -70,19 +72,19 @@ def exact(problem: "Problem", tree: Any) -> Callable[[], Any]:
     """Gives an expression of parameters, such as an instant, at the working precision."""
     node = lower(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])
 
-    def found():
+    def found() -> mpmath.mpf:
         numbers = multiprecision()
         return evaluate([node], numbers, problem.numeric.values(numbers))[0]
 
     return found
 
 
-def _of(problem, tree):
+def _of(problem: "Problem", tree: "QuantityRef") -> "Vibrations":
     """The Vibrations in a signal."""
     if problem.response.KIND != "small" or problem.scene.pieces:
         raise PhysicsError("no reference is found of vibrations in this kind of motion")
     return vibrations.Vibrations(*signal(problem, small(problem), tree))
 
 
-def _subject(problem, tree, title, true):
+def _subject(problem: "Problem", tree: "QuantityRef", title: str, true: "TrueValues") -> Subject:
     return of_signal(KIND, problem, tree, title, true, None)

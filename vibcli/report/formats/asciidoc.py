@@ -1,7 +1,8 @@
 """A report as AsciiDoc: mathematics in LaTeX as `stem`, tables between bars."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 from vibcli.base.decoding import on_one_line
 from vibcli.notation.latex import latex
@@ -35,13 +36,13 @@ def beginning(text: str) -> str:
     return text if _PLAIN.match(text) else "{empty}" + text
 
 
-def render(documents: Sequence[Document], place: Callable | None) -> str:
+def render(documents: Sequence[Document], place: Callable[[Picture], str] | None) -> str:
     """The AsciiDoc of all documents, those after the first as chapters of it; `place(picture)` is the name of the file
     that a picture is written to."""
     return "\n\n".join(part for i, document in enumerate(documents) for part in _document(document, place, i > 0))
 
 
-def _document(document, place, chapter):
+def _document(document: Document, place: Callable[[Picture], str] | None, chapter: bool) -> Iterator[str]:
     level = "=" * (1 + chapter)
     yield f"{level} {escaped(document.title)}" + "\n:stem: latexmath" * (not chapter)
     if document.source:
@@ -59,17 +60,17 @@ def _document(document, place, chapter):
         yield _refusal(document.refusal)
 
 
-def _running(parts):
+def _running(parts: Sequence[str | Maths]) -> str:
     return "".join(_stem(formula(part.parts, latex)) if isinstance(part, Maths) else escaped(part)
                    for part in without_words(parts))
 
 
-def _stem(text):
+def _stem(text: str) -> str:
     text = text.replace("|", r"\vert ").replace("]", r"\]")
     return f"stem:[{text}]"
 
 
-def _equations(block):
+def _equations(block: Equations) -> str:
     """A display, in an alignment where a formula has a label or is broken."""
     found = aligned(block, latex)
     if len(found) == 1 and not block.lines[0].label:
@@ -79,34 +80,35 @@ def _equations(block):
     return f"[stem]\n++++\n{text}\n++++"
 
 
-def _paragraph(block):
+def _paragraph(block: Paragraph) -> str:
     """Running text; a formula that is wider than a line stands apart."""
     return "\n\n".join(beginning(_running(one.parts)) if isinstance(one, Paragraph) else _equations(one)
                        for one in apart(block.parts, COLUMNS))
 
 
-def _table(block):
+def _table(block: TableBlock) -> str:
     head, *body = ("".join(f"|{_cell(cell)} " for cell in row).rstrip() for row in (block.head, *block.rows))
     return "\n".join(["[%autowidth,options=header]", "|===", INDEXED.sub(r"stem:[\1_\2]", head), "", *body, "|==="])
 
 
-def _cell(cell):
+def _cell(cell: str | Maths) -> str:
     return _stem(latex.numeral(cell)) if is_signed(cell) else _running((cell,))
 
 
-def _definitions(block):
+def _definitions(block: Definitions) -> str:
     items = [_running(item.term) + (f" — {escaped(item.about)}" if item.about else "") for item in block.items]
     return beginning(",\n".join(items)) if block.flowing else "\n".join(f"* {beginning(item)}" for item in items)
 
 
-def _refusal(refusal):
+def _refusal(refusal: Refusal) -> str:
     return f"*Not found:* {refusal.told(escaped)}"
 
 
-def _picture(block, place):
+def _picture(block: Picture, place: Callable[[Picture], str] | None) -> str:
     caption = escaped(block.caption).replace('"', "&#34;").replace("]", "&#93;")
     return f'image::{place(block)}["{caption}"]'
 
 
-_RENDER = {Equations: _equations, Paragraph: _paragraph, TableBlock: _table, Definitions: _definitions,
-           Refusal: _refusal}
+_RENDER: dict[type, Callable[[Any], str]] = {
+    Equations: _equations, Paragraph: _paragraph, TableBlock: _table, Definitions: _definitions,
+    Refusal: _refusal}

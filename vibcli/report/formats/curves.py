@@ -2,12 +2,14 @@
 
 from collections.abc import Callable, Sequence
 from io import BytesIO, StringIO
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import numpy as np
 
     from vibcli.plots.figure import Figure
+
+    Columns = Sequence[tuple[str, str, np.ndarray]]       # name, unit, values
 
 DATA = (".csv", ".npz", ".json")
 
@@ -19,7 +21,8 @@ def in_terminal(figure: "Figure", width: int) -> str:
     return braille(figure, width=width)
 
 
-def curve_file(suffix: str, title: str, figure: Callable, columns: Callable | None) -> bytes:
+def curve_file(suffix: str, title: str, figure: "Callable[[], Figure]",
+               columns: "Callable[[], Columns] | None") -> bytes:
     """The bytes of a file under a title: of what `columns()` gives, or of the Figure that `figure()` gives."""
     if suffix in DATA:
         return data(suffix, title, columns())
@@ -28,9 +31,9 @@ def curve_file(suffix: str, title: str, figure: Callable, columns: Callable | No
     return picture(figure(), suffix[1:])
 
 
-def data(suffix: str, title: str, columns: "Sequence[tuple[str, str, np.ndarray]]") -> bytes:
+def data(suffix: str, title: str, columns: "Columns") -> bytes:
     """The bytes of [(name, unit, array)], complex columns as real and imaginary part; the others are over the first."""
-    apart = []
+    apart: list[tuple[str, str, np.ndarray]] = []
     for name, unit, values in columns:
         if values.dtype.kind == "c":
             apart += [(f"re {name}", unit, values.real), (f"im {name}", unit, values.imag)]
@@ -39,7 +42,7 @@ def data(suffix: str, title: str, columns: "Sequence[tuple[str, str, np.ndarray]
     return {".csv": _csv, ".npz": _npz, ".json": _json}[suffix](title, apart)
 
 
-def _csv(title, columns):
+def _csv(title: str, columns: "Columns") -> bytes:
     """A header of names with units, then the rows, what is no number empty; a cell that a spreadsheet would take for a
     formula is quoted."""
     import csv
@@ -52,20 +55,21 @@ def _csv(title, columns):
     return text.getvalue().encode()
 
 
-def _plain(cell):
+def _plain(cell: str) -> str:
     return "'" + cell if cell[0] in "=+-@" else cell
 
 
-def _npz(title, columns):
+def _npz(title: str, columns: "Columns") -> bytes:
     import numpy as np
 
     data = BytesIO()
-    np.savez(data, **{name: values for name, _, values in columns},
+    arrays: dict[str, Any] = {name: values for name, _, values in columns}
+    np.savez(data, **arrays,
              units=np.array([f"{name} [{unit}]" for name, unit, _ in columns]))
     return data.getvalue()
 
 
-def _json(title, columns):
+def _json(title: str, columns: "Columns") -> bytes:
     import json
 
     found = {"title": title, "columns": [

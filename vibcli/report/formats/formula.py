@@ -1,9 +1,9 @@
 """The mathematics of blocks in a notation: as text, LaTeX or MathML, piece by piece where a line may end."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.notation.numbers import centred, width
 from vibcli.notation.plain import plain
@@ -22,6 +22,9 @@ from vibcli.report.blocks import (
     Words,
     line,
 )
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 FEW, STUB = 40, 12  # characters of words that stay in a row; columns that no row ends with
 CLAUSE, GAP = ",  ", "  "       # what ends a clause, and what begins one
@@ -63,7 +66,7 @@ def without_words(parts: Sequence[str | Maths]) -> Iterator[str | Maths]:
 
 def apart(parts: Sequence[str | Maths], columns: int) -> list[Paragraph | Equations]:
     """Running text in which formulas wider than a line stand apart."""
-    def is_wide(part):
+    def is_wide(part: "str | Maths") -> bool:
         return isinstance(part, Maths) and width(formula(part.parts, plain)) > columns
 
     found = [(wide, tuple(group)) for wide, group in groupby(without_words(parts), is_wide)]
@@ -116,7 +119,7 @@ def rows_of_matrix(part: ShownMatrix) -> list[str]:
         left, cells, right, strict=True)]
 
 
-def _clauses(parts):
+def _clauses(parts: Iterable[Any]) -> Iterator[list[Any]]:
     """The parts up to each comma among words, from each gap before words, and long words by few."""
     clause: list[Any] = []
     for part in parts:
@@ -135,7 +138,7 @@ def _clauses(parts):
         yield clause
 
 
-def _few_by_few(text):
+def _few_by_few(text: str) -> Iterator[Words]:
     """[Words] of a text, at its spaces where it is long, and where a clause ends."""
     found = [""]
     for word in WORD.findall(text):
@@ -145,7 +148,7 @@ def _few_by_few(text):
     return map(Words, found)
 
 
-def _pieces(part, write):
+def _pieces(part: Any, write: Any) -> list[str]:
     if isinstance(part, str):
         return [write.notation(text) for text in _split(part)]
     if isinstance(part, Words):
@@ -170,19 +173,19 @@ def _pieces(part, write):
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
 
 
-def _matrix(rows, write):
+def _matrix(rows: Any, write: Any) -> str:
     """In plain text on one line, a semicolon between rows."""
     return write.matrix(rows) if write is not plain else f"[{'; '.join(map(', '.join, rows))}]"
 
 
-def _quotient(part, write):
+def _quotient(part: Quotient, write: Any) -> str:
     if write is not plain:
-        return write.fraction(write(part.above), write(part.below))
+        return cast("str", write.fraction(write(part.above), write(part.below)))
     divided = part.above.op == "product" and bool(_outside(OVER, write(part.above)))
     return f"{write.write(part.above, 1 + divided)}/{write.write(part.below, 2)}"
 
 
-def _typed(part, write):
+def _typed(part: Typed, write: Any) -> str:
     if write is plain:
         from vibcli.notation.as_printed import as_printed
 
@@ -192,23 +195,26 @@ def _typed(part, write):
     return typeset(part.tree, part.text, write)
 
 
-def _terms(node, write):
+def _terms(node: "Node", write: Any) -> list[tuple[bool, str]]:
     """Those of a node, written once in each notation where no numbers are put in."""
+    terms: list[tuple[bool, str]]
     if write.values:
-        return write.terms(node)
+        terms = write.terms(node)
+        return terms
     kept, key = node.table.kept, (type(write), node)
     if key not in kept:
         kept[key] = write.terms(node)
-    return kept[key]
+    terms = kept[key]
+    return terms
 
 
-def _split(text):
+def _split(text: str) -> list[str]:
     """A text in notation before each relation or sign that stands in no bracket."""
     places = _outside(BREAK, text)
     return [text[start:end] for start, end in zip([0, *places], [*places, len(text)], strict=True)]
 
 
-def _outside(pattern, text):
+def _outside(pattern: re.Pattern[str], text: str) -> list[int]:
     """Where something stands in no bracket."""
     return [found.start() for found in pattern.finditer(text)
             if text.count("(", 0, found.start()) == text.count(")", 0, found.start())]

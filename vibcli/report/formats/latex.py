@@ -3,6 +3,7 @@
 import itertools
 import re
 from collections.abc import Callable, Sequence
+from typing import Any, TypeGuard
 
 from vibcli.notation.latex import Latex, latex
 from vibcli.notation.latex_text import escaped
@@ -50,7 +51,7 @@ HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 """
 
 
-def render(documents: Sequence[Document], place: Callable | None) -> str:
+def render(documents: Sequence[Document], place: Callable[[Picture], str] | None) -> str:
     """The LaTeX of all documents; `place(picture)` is the name of the file that a picture is written to."""
     return HEAD + "\n\\clearpage\n".join(_document(document, place) for document in documents) + "\n\\end{document}"
 
@@ -60,7 +61,7 @@ def fragment(document: Document) -> str:
     return _document(document, None)
 
 
-def _document(document, place):
+def _document(document: Document, place: Callable[[Picture], str] | None) -> str:
     parts = [rf"\section*{{{escaped(document.title)}}}"]
     parts += [f"Source: {escaped(document.source)}\n"] if document.source else []
     parts += [_running(document.question) + "\n"] if document.question else []
@@ -72,24 +73,25 @@ def _document(document, place):
     return "\n".join(parts)
 
 
-def _running(parts):
+def _running(parts: Sequence[str | Maths]) -> str:
     return "".join(f"${formula(part.parts, latex)}$" if isinstance(part, Maths) else escaped(part)
                    for part in without_words(parts))
 
 
-def _equations(block):
+def _equations(block: Equations) -> str:
     lines = " \\\\\n".join(row.replace(rf"\qquad {MADE}", rf"{MADE}\qquad ")
                            for row in aligned(block, latex, _fitted_rows))
     return f"\\begin{{align*}}\n{lines}\n\\end{{align*}}"
 
 
-def _fitted_rows(parts, write, columns):
+def _fitted_rows(parts: Sequence[Any], write: Latex, columns: int) -> list[str]:
     """Rows of a formula, made smaller where they may be too wide for a page."""
     return [f"{MADE}{row}$}}" if width(text) > FITTING else row
             for row, text in rows_and_plain(parts, write, columns)]
 
 
-def aligned(block: Equations, write: Latex, broken: Callable = rows) -> list[str]:
+def aligned(block: Equations, write: Latex,
+            broken: Callable[[Sequence[Any], Latex, int], list[str]] = rows) -> list[str]:
     """Rows of an alignment: labels, then formulas, broken where they are long."""
     found, written = [], [broken(line.parts, write, COLUMNS) for line in block.lines]
     most = BESIDE if any(row.startswith(WIDE) for row in itertools.chain(*written)) else LABEL
@@ -103,17 +105,17 @@ def aligned(block: Equations, write: Latex, broken: Callable = rows) -> list[str
     return found
 
 
-def _paragraph(block):
+def _paragraph(block: Paragraph) -> str:
     """Running text; a formula that is wider than a line stands apart."""
     return "\n".join(_running(one.parts).strip() if isinstance(one, Paragraph) else _equations(one)
                      for one in apart(block.parts, COLUMNS)) + "\n"
 
 
-def _heading(block):
+def _heading(block: Heading) -> str:
     return rf"\subsubsection*{{{escaped(block.text.rstrip(':'))}}}"
 
 
-def _table(block):
+def _table(block: TableBlock) -> str:
     """A table, on one page unless it is long; where it may be too wide, it is made smaller."""
     head, *body = (" & ".join(map(_cell, row)) + r" \\" for row in (block.head, *block.rows))
     head = INDEXED.sub(r"\1$_{\2}$", head)
@@ -126,18 +128,18 @@ def _table(block):
     return f"\\begin{{longtable}}[l]{{{layout}}}\n{head} \\hline\n\\endhead\n{lines}\\end{{longtable}}"
 
 
-def _cell(cell):
+def _cell(cell: str | Maths) -> str:
     if is_signed(cell):
         return f"${latex.numeral(cell)}$"
     return _running((cell,))
 
 
-def is_signed(cell: str | Maths) -> bool:
+def is_signed(cell: str | Maths) -> TypeGuard[str]:
     """Is a cell a number with a sign or a power of ten, which is to be set as mathematics?"""
     return isinstance(cell, str) and bool(_SIGNED.fullmatch(cell))
 
 
-def _definitions(block):
+def _definitions(block: Definitions) -> str:
     items = [_running(item.term) + (rf" \quad {escaped(item.about)}" if item.about else "") for item in block.items]
     sizes = [width(running(item.term) + item.about) for item in block.items]
     return (" \\quad\n".join(item if size > BOX else f"\\mbox{{{item}}}"
@@ -145,13 +147,14 @@ def _definitions(block):
             "\n\n".join(items)) + "\n"
 
 
-def _refusal(refusal):
+def _refusal(refusal: Refusal) -> str:
     return f"\\textbf{{Not found:}} {refusal.told(escaped)}\n"
 
 
-def _picture(block, place):
+def _picture(block: Picture, place: Callable[[Picture], str] | None) -> str:
     return f"\\begin{{center}}\n\\drawn{{{place(block)}}}\\\\\n{{}}{escaped(block.caption)}\n\\end{{center}}"
 
 
-_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
-           Definitions: _definitions, Refusal: _refusal}
+_RENDER: dict[type, Callable[[Any], str]] = {
+    Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
+    Definitions: _definitions, Refusal: _refusal}

@@ -1,7 +1,7 @@
 """A report as Markdown as GitHub reads it: mathematics between dollars, tables with bars."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from vibcli.base.decoding import on_one_line
@@ -62,12 +62,12 @@ def beginning(text: str) -> str:
     return re.sub(r"^(\d+)([.)])", r"\1\\\2", text)
 
 
-def render(documents: Sequence[Document], place: Callable | None) -> str:
+def render(documents: Sequence[Document], place: Callable[[Picture], str] | None) -> str:
     """The Markdown of all documents; `place(picture)` is the name of the file that a picture is written to."""
     return "\n\n".join(part for document in documents for part in _document(document, place))
 
 
-def _document(document, place):
+def _document(document: Document, place: Callable[[Picture], str] | None) -> Iterator[str]:
     yield f"# {escaped(document.title)}"
     if document.source:
         yield f"Source: {escaped(document.source)}"
@@ -81,12 +81,12 @@ def _document(document, place):
         yield _refusal(document.refusal)
 
 
-def _running(parts, bar="|"):
+def _running(parts: Sequence[str | Maths], bar: str = "|") -> str:
     return "".join(f"${formula(part.parts, latex).replace('|', bar)}$" if isinstance(part, Maths) else escaped(part)
                    for part in without_words(parts))
 
 
-def _equations(block):
+def _equations(block: Equations) -> str:
     """A display each, in an alignment where a formula has a label or is broken."""
     found = aligned(block, latex)
     if len(found) == 1 and not block.lines[0].label:
@@ -95,37 +95,38 @@ def _equations(block):
     return f"$$\n\\begin{{aligned}}\n{text}\n\\end{{aligned}}\n$$"
 
 
-def _paragraph(block):
+def _paragraph(block: Paragraph) -> str:
     """Running text; a formula that is wider than a line stands apart."""
     return "\n\n".join(beginning(_running(one.parts)) if isinstance(one, Paragraph) else _equations(one)
                        for one in apart(block.parts, COLUMNS))
 
 
-def _heading(block):
+def _heading(block: Heading) -> str:
     return f"### {escaped(block.text.rstrip(':'))}"
 
 
-def _table(block):
+def _table(block: TableBlock) -> str:
     head, *body = ("| " + " | ".join(map(_cell, row)) + " |" for row in (block.head, *block.rows))
     return "\n".join([INDEXED.sub(r"$\1 _ \2$", head), "|" + " --- |" * len(block.head), *body])
 
 
-def _cell(cell):
+def _cell(cell: str | Maths) -> str:
     return f"${latex.numeral(cell)}$" if is_signed(cell) else _running((cell,), r"\vert ")
 
 
-def _definitions(block):
+def _definitions(block: Definitions) -> str:
     items = [_running(item.term) + (f" — {escaped(item.about)}" if item.about else "") for item in block.items]
     return ",\n".join(items) if block.flowing else "\n".join(f"- {item}" for item in items)
 
 
-def _refusal(refusal):
+def _refusal(refusal: Refusal) -> str:
     return f"**Not found:** {refusal.told(escaped)}"
 
 
-def _picture(block, place):
+def _picture(block: Picture, place: Callable[[Picture], str] | None) -> str:
     return f"![{escaped(block.caption)}]({place(block)})"
 
 
-_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
-           Definitions: _definitions, Refusal: _refusal}
+_RENDER: dict[type, Callable[[Any], str]] = {
+    Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
+    Definitions: _definitions, Refusal: _refusal}

@@ -1,9 +1,9 @@
 """A report as plain text: sections under their titles, formulas on one line as far as they fit."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import zip_longest
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.decoding import cleaned
 from vibcli.notation.numbers import padded, table, width, wrapped
@@ -21,6 +21,9 @@ from vibcli.report.blocks import (
 )
 from vibcli.report.formats.formula import flat, formula, rows_of_matrix
 
+if TYPE_CHECKING:
+    from vibcli.report.blocks import Line
+
 COLUMNS = 98            # of a page of 100: sections are indented by two
 SEPARATOR, NO_BREAK = ",  ", "\u2007"       # of statements in a line; what stands for a space within one
 OPENS = re.compile("⎛")        # the first row of a matrix
@@ -33,7 +36,7 @@ def render(documents: Sequence[Document], _: Any = None) -> str:
     return "\n\n\n".join(map(_document, documents))
 
 
-def _document(document):
+def _document(document: Document) -> str:
     lines = [document.title, "=" * width(document.title)]
     lines += wrapped(f"Source: {document.source}") if document.source else []
     lines += ["", *wrapped(running(document.question), indent=0)] if document.question else []
@@ -58,11 +61,11 @@ def running(parts: Sequence[str | Maths]) -> str:
     return "".join(formula(part.parts, plain) if isinstance(part, Maths) else part for part in parts)
 
 
-def _equations(block):
+def _equations(block: Equations) -> list[str]:
     return [line for one in block.lines for line in _line(one)]
 
 
-def _line(line):
+def _line(line: "Line") -> list[str]:
     parts = [flat(part, NO_BREAK) for part in line.parts]
     text = formula(line.label, plain) + ":  " * bool(line.label) + formula(parts, plain)
     text = HEAD.sub(f"\\1{NO_BREAK}= ", text).replace("= ", f"={NO_BREAK}")       # at which no line ends
@@ -72,7 +75,7 @@ def _line(line):
     return [row for one in lines for row in _rows(one.replace(NO_BREAK, " "), matrices)]
 
 
-def _rows(text, matrices):
+def _rows(text: str, matrices: Iterator[Any]) -> list[str]:
     """A line, and below it the further rows of its matrices."""
     below = [(width(text[:at.start()]), rows_of_matrix(next(matrices))[1:]) for at in OPENS.finditer(text)]
     lines = [text]
@@ -83,7 +86,7 @@ def _rows(text, matrices):
     return lines
 
 
-def _listed(text):
+def _listed(text: str) -> list[str]:
     """A line of several statements, broken between them where each fits, else wherever there is a gap."""
     statements = text.split(SEPARATOR)
     if max(map(width, statements)) + 4 > COLUMNS:
@@ -92,38 +95,38 @@ def _listed(text):
     return wrapped(held, COLUMNS, indent=4)
 
 
-def _paragraph(block):
+def _paragraph(block: Paragraph) -> list[str]:
     text = running(block.parts)
     if block.hang is None and width(text) <= COLUMNS:
         return [text]
     return wrapped(text, COLUMNS, indent=2 if block.hang is None else block.hang)
 
 
-def _heading(block):
+def _heading(block: Heading) -> list[str]:
     return ["", *wrapped(block.text, COLUMNS)]
 
 
-def _table(block):
+def _table(block: TableBlock) -> list[str]:
     """A table; where it is wider than a page, its lists in several lines and its columns one group below the other."""
     head, rows = list(map(_cell, block.head)), [list(map(_cell, row)) for row in block.rows]
     if _wide(head, rows):
         rows = [line for row in rows for line in _folded(row, _narrow(head, rows))]
-    lines: list = []
+    lines: list[str] = []
     for columns in _groups(head, rows):
         lines += [""] * bool(lines)
         lines += table([[row[i] for i in columns] for row in rows], [head[i] for i in columns])
     return lines
 
 
-def _wide(head, rows):
+def _wide(head: Sequence[str], rows: Sequence[Sequence[str]]) -> bool:
     return sum(_widths(head, rows)) + 2 * (len(head) - 1) > COLUMNS
 
 
-def _widths(head, rows):
+def _widths(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[int]:
     return [max(width(row[i]) for row in (head, *rows)) for i in range(len(head))]
 
 
-def _narrow(head, rows):
+def _narrow(head: Sequence[str], rows: Sequence[Sequence[str]]) -> dict[int, int]:
     """{column of lists: the width that it is folded to}, so that the table fits, if it can."""
     widths = _widths(head, rows)
     lists = [i for i in range(len(head)) if any(LISTING in row[i] for row in rows)]
@@ -131,13 +134,13 @@ def _narrow(head, rows):
     return {i: max(LEAST, left // len(lists), width(head[i])) for i in lists}
 
 
-def _folded(row, sizes):
+def _folded(row: Sequence[str], sizes: Mapping[int, int]) -> list[list[str]]:
     """The lines of a row whose lists are broken."""
     cells = [wrapped(cell, sizes[i], indent=0) or [""] if i in sizes else [cell] for i, cell in enumerate(row)]
     return [list(line) for line in zip_longest(*cells, fillvalue="")]
 
 
-def _groups(head, rows):
+def _groups(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[list[int]]:
     """The numbers of the columns of each table, the first in all of them."""
     widths, found = _widths(head, rows), [[0]]
     for i in range(1, len(head)):
@@ -147,20 +150,21 @@ def _groups(head, rows):
     return found
 
 
-def _cell(cell):
+def _cell(cell: str | Maths) -> str:
     return running((cell,))
 
 
-def _definitions(block):
+def _definitions(block: Definitions) -> list[str]:
     texts = [running(item.term) + (block.gap + item.about if item.about else "") for item in block.items]
     if block.flowing:
         return wrapped(block.gap.join(texts), COLUMNS, gap=block.gap)
     return [line for text in texts for line in wrapped(text, COLUMNS, indent=4)]
 
 
-def _nothing(_):
+def _nothing(_: Any) -> list[str]:
     return []
 
 
-_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
-           Definitions: _definitions}
+_RENDER: dict[type, Callable[[Any], list[str]]] = {
+    Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
+    Definitions: _definitions}

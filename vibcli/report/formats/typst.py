@@ -1,8 +1,9 @@
 """A report as a Typst document, complete in itself but for its pictures."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import chain
+from typing import Any
 
 from vibcli.base.decoding import on_one_line
 from vibcli.notation.numbers import width
@@ -52,7 +53,7 @@ HEAD = """\
 
 def escaped(text: str) -> str:
     """Words that Typst shows as they are; blanks at which no line is broken stay so."""
-    return "~".join(_SPECIAL.sub(r"\\\g<0>", on_one_line(part)) for part in text.split("\N{NO-BREAK SPACE}"))
+    return _SPECIAL.sub(r"\\\g<0>", on_one_line(text)).replace("\N{NO-BREAK SPACE}", "~")
 
 
 def beginning(text: str) -> str:
@@ -62,7 +63,7 @@ def beginning(text: str) -> str:
     return text if start is None else f"{text[:start.end() - 1]}\\{text[start.end() - 1:]}"
 
 
-def render(documents: Sequence[Document], place: Callable | None, apart: bool = True) -> str:
+def render(documents: Sequence[Document], place: Callable[[Picture], str] | None, apart: bool = True) -> str:
     """The Typst of all documents; `place(picture)` is the name of the file that a picture is written to; `apart`: each
     on pages of its own, else with less high figures."""
     title = f"#set document(title: {quoted(documents[0].title)})\n#let tallest = {9 if apart else 7}cm\n"
@@ -70,7 +71,7 @@ def render(documents: Sequence[Document], place: Callable | None, apart: bool = 
     return title + HEAD + between.join("\n".join(_document(one, place)) for one in documents)
 
 
-def _document(document, place):
+def _document(document: Document, place: Callable[[Picture], str] | None) -> Iterator[str]:
     yield f"= {escaped(document.title)}\n"
     if document.source:
         yield f"Source: {escaped(document.source)}\n"
@@ -84,12 +85,12 @@ def _document(document, place):
         yield _refusal(document.refusal)
 
 
-def _running(parts):
+def _running(parts: Sequence[str | Maths]) -> str:
     return "".join(f"${formula(part.parts, typst)}$" if isinstance(part, Maths) else escaped(part)
                    for part in without_words(parts))
 
 
-def _equations(block):
+def _equations(block: Equations) -> str:
     """Formulas, broken where they are long: few lines as one alignment, labels before them; many one by one, since what
     is made smaller stays on one page."""
     lines = []
@@ -101,17 +102,17 @@ def _equations(block):
     return "\n".join("$ " + " \\\n  ".join(one) + " $\n" for one in together)
 
 
-def _paragraph(block):
+def _paragraph(block: Paragraph) -> str:
     """Running text; a formula that is wider than a line stands apart."""
     return "".join(beginning(_running(one.parts)) + "\n" if isinstance(one, Paragraph) else _equations(one)
                    for one in apart(block.parts, COLUMNS))
 
 
-def _heading(block):
+def _heading(block: Heading) -> str:
     return f"=== {escaped(block.text.rstrip(':'))}\n"
 
 
-def _table(block):
+def _table(block: TableBlock) -> str:
     """A table; where it may be too wide, the words of its widest column are broken, or all of it is made smaller."""
     rows_of_all = [block.head, *block.rows]
     sizes = [max(map(_size, column)) for column in zip(*rows_of_all, strict=True)]
@@ -127,28 +128,29 @@ def _table(block):
     return f"#block(breakable: false, {table})\n" if len(block.rows) <= TOGETHER else f"#{table}\n"
 
 
-def _size(cell):
+def _size(cell: str | Maths) -> int:
     """Of a cell, in characters of plain text."""
     return width(formula(cell.parts, plain) if isinstance(cell, Maths) else cell)
 
 
-def _cell(cell):
+def _cell(cell: str | Maths) -> str:
     return f"[${typst.numeral(cell)}$]" if is_signed(cell) else f"[{beginning(_running((cell,)))}]"
 
 
-def _definitions(block):
+def _definitions(block: Definitions) -> str:
     items = [_running(item.term) + (f" #h(1em) {escaped(item.about)}" if item.about else "") for item in block.items]
     return (" #h(1.5em)\n".join(f"#box[{item}]" for item in items) if block.flowing else
             " \\\n".join(map(beginning, items))) + "\n"
 
 
-def _refusal(refusal):
+def _refusal(refusal: Refusal) -> str:
     return f"*Not found:* {refusal.told(escaped)}\n"
 
 
-def _picture(block, place):
+def _picture(block: Picture, place: Callable[[Picture], str] | None) -> str:
     return f"#picture({quoted(place(block))}, [{escaped(block.caption)}])\n"
 
 
-_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
-           Definitions: _definitions, Refusal: _refusal}
+_RENDER: dict[type, Callable[[Any], str]] = {
+    Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
+    Definitions: _definitions, Refusal: _refusal}

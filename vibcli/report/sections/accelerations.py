@@ -1,8 +1,8 @@
 """Accelerations from rest as drawn, and the forces of constraints and supports then, where no equilibrium is needed."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NoEquilibrium, NotInLetters, PhysicsError
 from vibcli.base.units import FORCE, TIME, times
@@ -18,8 +18,10 @@ from vibcli.report.sections.too_long import brief
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from vibcli.report.blocks import Line
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 SOON = 1e-3             # seconds: as far as a motion is followed of which the start alone is asked
 FORCES = "Forces then"
@@ -69,12 +71,13 @@ def falls(problem: "Problem") -> bool:
     return False
 
 
-def _from_drawn(problem):
+def _from_drawn(problem: "Problem") -> bool:
     """Does the motion of a scene in numbers start at rest as drawn?"""
     return not problem.numeric.has_free_symbols and problem.spec.get("initial") is None and falls(problem)
 
 
-def _lines(problem, report, nodes, labels):
+def _lines(problem: "Problem", report: "Report", nodes: "Mapping[str, Node]",
+           labels: Mapping[str, Name | Words]) -> "tuple[list[Line], list[Any]]":
     """Lines `label = expression = number`, and the symbols for lengths in them."""
     known = {key: node for key, node in nodes.items() if node is not None}
     shown, lengths = abbreviated(list(known.values()), report.roots)
@@ -93,7 +96,7 @@ def _lines(problem, report, nodes, labels):
     return lines, lengths
 
 
-def _with_unit(problem, key, value):
+def _with_unit(problem: "Problem", key: str, value: float) -> str:
     """An acceleration x'' or a force with its unit."""
     from vibcli.language.signals import signal_dimension
 
@@ -103,7 +106,7 @@ def _with_unit(problem, key, value):
     return with_unit(value, times(dimension, TIME, -2)) if dimension else f"{with_minus(value)} rad/s²"
 
 
-def _from_motion(problem):
+def _from_motion(problem: "Problem") -> tuple[dict[str, float], dict[str, float]]:
     """({coordinate: acceleration}, {signal: force but for those that are zero}) in numbers at the start of the motion
     that begins as drawn."""
     import numpy as np
@@ -113,7 +116,7 @@ def _from_motion(problem):
 
     motion, released, scene = FullResponse(problem.until(SOON)), Released(problem.numeric), problem.scene
 
-    def value(node, forces):
+    def value(node: "Node", forces: "dict[str, str]") -> float:
         return float(motion.signal_of(node, forces).values(np.zeros(1))[0])
 
     accelerations, forces = {name: value(scene.symbol(name, 2), {}) for name in problem.spec.coordinates}, {}
@@ -125,7 +128,7 @@ def _from_motion(problem):
     return accelerations, {signal: force for signal, force in forces.items() if abs(force) > ROUNDING * size}
 
 
-def _values(problem):
+def _values(problem: "Problem") -> "dict[str, bool | dict[str, float | Node] | None]":
     try:
         problem.symbolic.accelerations  # noqa: B018
     except NotInLetters:

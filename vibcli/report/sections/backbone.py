@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from math import tau
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure, rounded_up
@@ -15,14 +15,17 @@ from vibcli.report.sections.requested_signals import dimension_of, symbol, trees
 
 if TYPE_CHECKING:
     from vibcli.plots.figure import Figure
+    from vibcli.report.blocks import Equations, Paragraph
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef, Sum
 
 WORD, ROWS, POINTS = "backbone", 10, 101
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
-def _asked(problem):
+def _asked(problem: "Problem") -> "tuple[str, NameRef | Sum, str, float, Any]":
     """(text, tree, unit, largest amplitude) of the signal whose amplitude is asked for, and the family's number."""
     require_numbers(problem, WORD)
     find = problem.spec.get("find")
@@ -69,7 +72,7 @@ def backbone(problem: "Problem", _: "Report") -> Iterator[Section]:
         *_exactly(problem) if list(problem.scene.coordinates) == [text] else ())
 
 
-def _begins(problem, mode, kappa, of):
+def _begins(problem: "Problem", mode: int, kappa: float | None, of: str) -> "Iterator[Equations | Paragraph]":
     """How the frequency begins to hang on the amplitude, in letters where these are known."""
     value = "" if kappa is None else figure(kappa) + f" 1/{of}²" * bool(of)
     own = _letter(problem, "kappa")
@@ -89,21 +92,21 @@ def _begins(problem, mode, kappa, of):
         yield paragraph(near)
 
 
-def _early(problem, name):
+def _early(problem: "Problem", name: str) -> str:
     return f"{name}(1 + {_letter(problem, 'kappa')}{_letter(problem, 'A')}²)"
 
 
-def _letter(problem, usual):
+def _letter(problem: "Problem", usual: str) -> str:
     """The usual letter of a formula, or one for which the scene has no other meaning."""
     return symbol(_free_name(problem, usual))
 
 
-def _free_name(problem, usual):
+def _free_name(problem: "Problem", usual: str) -> str:
     taken = {*problem.scene.parameters.nodes, *problem.scene.coordinates}
     return next(name for name in (usual, *(f"{usual}_{i}" for i in range(len(taken) + 1))) if name not in taken)
 
 
-def _exactly(problem):
+def _exactly(problem: "Problem") -> "Iterator[Equations | Paragraph]":
     """The closed form, where the equilibrium is known in letters and there is one."""
     from vibcli.analyses.nonlinear.closed_forms import ByGamma, closed_form
 
@@ -123,7 +126,7 @@ def _exactly(problem):
                          line(f"{E} = ", found.energy)])
 
 
-def _in_letters(problem):
+def _in_letters(problem: "Problem") -> Iterator[Section]:
     """Of a scene in letters with one degree of freedom."""
     from vibcli.analyses.nonlinear.small_amplitudes import omega_in_letters
 
@@ -143,14 +146,14 @@ def _in_letters(problem):
                   "frequencies needs numbers."))
 
 
-def _require_alone(problem):
+def _require_alone(problem: "Problem") -> None:
     """PhysicsError where another family than the first is asked for."""
     find = problem.spec.get("find")
     record = find.about(WORD) if find is not None else None
     problem.free_motions.require_alone(1 if record is None else record.get("mode", 1))
 
 
-def _kappa_in_letters(problem):
+def _kappa_in_letters(problem: "Problem") -> "Node | None":
     _require_alone(problem)
     try:
         return problem.free_motions.kappa_in_letters(1)
@@ -158,7 +161,7 @@ def _kappa_in_letters(problem):
         return None
 
 
-def _kappa(problem, text, mode):
+def _kappa(problem: "Problem", text: str, mode: int) -> float | None:
     """κ where the amplitude is that of a coordinate; None where there is none."""
     from vibcli.symbolic.running_errors import UNIT, number_in
 
@@ -170,11 +173,11 @@ def _kappa(problem, text, mode):
         return None
 
 
-def _omega(number):
+def _omega(number: int) -> str:
     return "ω" + str(number).translate(SUBSCRIPTS)
 
 
-def _small(problem, number):
+def _small(problem: "Problem", number: int) -> float | None:
     """ω of small vibrations of a mode; None where they have none."""
     try:
         mode = problem.modal.modes.first(number)[number - 1]
@@ -200,14 +203,14 @@ def curve_figure(problem: "Problem") -> "Figure":
     return Figure(problem.spec.get("title") or "", (panel,))
 
 
-def _around(values):
+def _around(values: tuple[float, ...]) -> tuple[float, float]:
     """A range with some room on both sides."""
     low, high = min(values), max(values)
     room = 0.06 * (high - low) or 0.1 * high
     return low - room, high + room
 
 
-def _found(problem):
+def _found(problem: "Problem") -> dict[str, float | list[dict[str, float]] | str]:
     if problem.numeric.has_free_symbols and len(problem.scene.resting.q) == 1:
         (text, tree), *_ = trees_asked(problem, WORD)
         of, known = unit(dimension_of(problem, tree)), list(problem.scene.coordinates) == [text]

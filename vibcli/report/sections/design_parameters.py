@@ -10,8 +10,12 @@ from vibcli.report.blocks import Name, Section, Words, equations, line, maths, p
 from vibcli.report.keys import Key
 
 if TYPE_CHECKING:
+    from vibcli.inverse.solution import Chosen, Solution
+    from vibcli.reader.sections.choose import Condition
+    from vibcli.report.blocks import Line
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 QUANTITY = re.compile(r"-?[\d.]+(e[+-]?\d+)? [^\W\d]")      # a number with a unit
 WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibrium is at its limit of stability"}
@@ -46,7 +50,7 @@ def names_of(problem: "Problem") -> list[str]:
     return [*problem.spec.parameters, *problem.scene.coordinates]
 
 
-def _lines(problem, several):
+def _lines(problem: "Problem", several: bool) -> "Iterator[Line]":
     for number, solution in enumerate(problem.choice.solutions, 1):
         for i, name in enumerate(problem.choice.conditions):
             mark, inset = ((Words(f"{number}.  "),), 0) if several and not i else ((), 4 * several)
@@ -67,7 +71,7 @@ def condition_parts(condition: Any) -> list[Any]:
     return [side, f" {condition.relation} ", condition.bound]
 
 
-def _told(condition):
+def _told(condition: Any) -> str:
     """The same as a text of the language."""
     if condition.words is not None or not condition.relation:
         return condition.words or f"real {condition.name}"
@@ -80,10 +84,10 @@ def _told(condition):
 FOLD = "   a limit point (fold): there the equilibrium meets an unstable one, and beyond it both are gone"
 
 
-def _equation(problem, name, solution):
+def _equation(problem: "Problem", name: str, solution: "Solution") -> "list[Name | Node | str | Words]":
     """Parts of c = closed form = number."""
     form, value = solution.forms[name], solution.values[name]
-    parts: list = [Name(name)]
+    parts: list[Any] = [Name(name)]
     if form is not None and (value is None or _has_letters(form)):
         parts += [" = ", form]
     if value is not None:
@@ -93,22 +97,22 @@ def _equation(problem, name, solution):
     return parts + [Words(f"   {about}")] * bool(about)
 
 
-def _has_letters(node):
+def _has_letters(node: "Node") -> bool:
     from vibcli.symbolic.expression_graph import reachable
 
     return any(part.op == "symbol" for part in reachable([node]))
 
 
-def _any_form(chosen):
+def _any_form(chosen: "Chosen") -> bool:
     return any(form is not None and _has_letters(form) for solution in chosen.solutions
                for form in solution.forms.values())
 
 
-def _with_units(condition):
+def _with_units(condition: "Condition") -> bool:
     return any(literal.units for side in condition.sides for literal in side.parts.numbers)
 
 
-def _chosen(problem):
+def _chosen(problem: "Problem") -> "Iterator[dict[str, list[float | list[str] | Node | None] | str]]":
     """What the keys tell of each parameter."""
     solutions = problem.choice.solutions
     for name, condition in problem.choice.conditions.items():

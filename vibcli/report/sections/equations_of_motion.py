@@ -1,6 +1,6 @@
 """Energies and equations of motion, full and for small oscillations."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Kinked
@@ -19,6 +19,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.lagrange import EquationsOfMotion
+    from vibcli.report.blocks import Line
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
@@ -106,7 +108,7 @@ def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
         blocks.equations(_in_numbers(problem, found)) if numbers else None, left_out(problem))
 
 
-def _drives(problem, found):
+def _drives(problem: "Problem", found: "EquationsOfMotion") -> "list[Node]":
     """What drives each coordinate, displacements in time by their symbols where these are told."""
     table, named = problem.scene.table, named_drives(problem)
     drives = [found.drive.get(i, table.zero) for i in range(len(problem.scene.coordinates))]
@@ -125,7 +127,7 @@ def left_out(problem: "Problem") -> Paragraph | None:
                      "   (parametric excitation: `motion: full` keeps it)", hang=4, aside=True)
 
 
-def _unbent(problem, report):
+def _unbent(problem: "Problem", report: "Report") -> Iterator[Section]:
     """What is said instead of small oscillations where there is a kink."""
     if problem.system.sticking is not None and not report.tells("Equilibrium"):
         yield from section("Equilibrium", *held(problem))
@@ -135,7 +137,7 @@ def _unbent(problem, report):
     yield from section("Small oscillations", paragraph(f"none: {why}; `motion: full` follows the motion", hang=0))
 
 
-def _full(problem, report):
+def _full(problem: "Problem", report: "Report") -> Iterator[Section]:
     found, loose, title = problem.symbolic.equations, problem.system.scene_with_multipliers, "Equations of motion"
     if problem.spec.expanded:
         counted = "" if problem.symbolic.balanced_as_drawn else ", the coordinates counted from it"
@@ -165,7 +167,7 @@ def _full(problem, report):
                        paragraph(WITHOUT) if problem.spec.get("damping") is not None else None)
 
 
-def _told_as(problem, found, known):
+def _told_as(problem: "Problem", found: "EquationsOfMotion", known: "dict[Node, Node]") -> "Sequence[Node]":
     """The left sides: with the symbols of displacements in time, or as they come from the energies where these are
     shorter by far for the lengths in them."""
     if found.from_rest or problem.system.scene_with_multipliers is not problem.scene:
@@ -179,14 +181,14 @@ def _told_as(problem, found, known):
             for nested, full in zip(nested_equations(problem.scene.written), found.full, strict=True)]
 
 
-def _columns(node, known):
+def _columns(node: "Node", known: "Mapping[Node, Node]") -> int:
     """Those of an equation as it is told, with the lengths that are `known` and others."""
     from vibcli.notation.plain import plain
 
     return len(plain(abbreviated([node], dict(known))[0][0]))
 
 
-def _in_numbers(problem, found):
+def _in_numbers(problem: "Problem", found: "EquationsOfMotion") -> "Iterator[Line]":
     from vibcli.report.sections.numeric_equations import numeric_drive, numeric_rows
 
     rows = numeric_rows(problem, problem.configuration.told_matrices)
@@ -200,7 +202,7 @@ def _in_numbers(problem, found):
 
 def numeric_sum(row: "Sequence[tuple[float, Node]]") -> "Sequence[Any]":
     """Parts of Σ coefficient·node."""
-    parts: list = []
+    parts: list[Any] = []
     for value, node in row:
         sign = ("−" if value < 0 else "") if not parts else (" − " if value < 0 else " + ")
         if node.op == "number":
@@ -247,7 +249,7 @@ EQUATIONS = Key("equations", "a list, one entry to each coordinate", equation_ro
         "displacements, as text; null where there are none")))
 
 
-def _matrices(problem):
+def _matrices(problem: "Problem") -> "dict[str, list[list[float | Node | str]] | None]":
     """{name: rows} of numbers or of expressions, None where it is absent."""
     symbolic, indices = problem.numeric.has_free_symbols, range(len(problem.scene.coordinates))
     zero, matrices = ("0", problem.symbolic.matrices if problem.symbolic.linearisable else [{}] * 4) if symbolic else (

@@ -1,7 +1,7 @@
 """The list of all equilibria, as a section of a report and as data."""
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNDECIDED, UNSTABLE, inertless, judged
 from vibcli.notation.numbers import figure
@@ -11,7 +11,8 @@ from vibcli.report.sections.equilibrium import measured
 from vibcli.report.sections.parameters import unit
 
 if TYPE_CHECKING:
-    from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
+    from vibcli.analyses.modal.stability import Stability
+    from vibcli.mechanics.equilibrium.all_equilibria import Equilibria, Item
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
@@ -55,17 +56,17 @@ def search_told(problem: "Problem", found: "Equilibria") -> Paragraph | None:
     return paragraph(said if found.indices is None else AGREE.format(said, _signed(found.indices.sum)), hang=None)
 
 
-def _signed(number):
+def _signed(number: int) -> str:
     return str(number).replace("-", "−")
 
 
-def _listed(problem):
+def _listed(problem: "Problem") -> "list[tuple[Item, Problem, Stability]]":
     """[(what was found, the problem about it, its Stability)]"""
     return [(item, about, judged(about.modal))
             for item, about in zip(problem.equilibria.items, problem.about_each, strict=True)]
 
 
-def _warning(problem, found):
+def _warning(problem: "Problem", found: "Stability") -> str | None:
     """A warning where an equilibrium is near a bifurcation; None of one whose stability is open."""
     if found.kind == OPEN:
         return None
@@ -74,20 +75,20 @@ def _warning(problem, found):
     return bifurcation_warning(stiffness_condition(problem.modal))
 
 
-def _table(problem, listed):
+def _table(problem: "Problem", listed: "Sequence[tuple[Item, Problem, Stability]]") -> TableBlock:
     rows = [(str(number), *_places(problem, item), figure(item.equilibrium.residual, digits=2), _kind(found, item),
              _rates(about, found)) for number, (item, about, found) in enumerate(listed, 1)]
     return TableBlock(("", *_heads(problem), "left of the forces", "", "ω [rad/s]"), tuple(rows))
 
 
-def _heads(problem):
+def _heads(problem: "Problem") -> list[Any]:
     names = problem.scene.coordinates
     if len(names) > WIDEST:
         return ["position in SI units"]
     return [maths(Name(name), Words(f" [{unit(problem.system.dimension(name))}]")) for name in names]
 
 
-def _places(problem, item):
+def _places(problem: "Problem", item: "Item") -> list[str]:
     """The coordinates of an equilibrium, in columns where there are few."""
     names, values = problem.scene.coordinates, item.equilibrium.values
     if len(names) > WIDEST:
@@ -97,7 +98,7 @@ def _places(problem, item):
     return [figure(values[name]) for name in names]
 
 
-def _rates(problem, found):
+def _rates(problem: "Problem", found: "Stability") -> str:
     if found.growth_rate is not None:
         return f"grows as exp({figure(found.growth_rate)}·t)"
     if found.kind == OPEN or inertless(problem.configuration.linear_system):
@@ -106,21 +107,21 @@ def _rates(problem, found):
                      for mode in problem.modal.modes.shown())
 
 
-def _omega(problem, found):
+def _omega(problem: "Problem", found: "Stability") -> list[float | None]:
     """The natural angular frequencies, None of what does not oscillate."""
     if found.kind == OPEN or inertless(problem.configuration.linear_system):
         return []
     return [None if mode.omega is None else float(mode.omega) for mode in problem.modal.modes.shown()]
 
 
-def _kind(found, item):
+def _kind(found: "Stability", item: "Item") -> str:
     free = ", ".join(_direction(direction) for direction in item.free)
     if not free:
         return KINDS[found.kind]
     return f"neutral along {free}" if found.kind == NEUTRAL else f"{KINDS[found.kind]}; free along {free}"
 
 
-def _direction(free):
+def _direction(free: Mapping[str, float]) -> str:
     """`x`, or `(1 x, -1 y)`."""
     from vibcli.notation.plain import plain
 
@@ -128,7 +129,7 @@ def _direction(free):
     return plain.symbol(next(iter(free))) if len(free) == 1 else f"({', '.join(parts)})"
 
 
-def _data(problem):
+def _data(problem: "Problem") -> Iterator[dict[str, dict[str, float] | float | list[float | None] | str | None]]:
     """What the keys tell of each of the list."""
     for item, about, found in _listed(problem):
         values = {name: item.equilibrium.values[name] for name in problem.scene.coordinates}

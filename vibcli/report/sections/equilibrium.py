@@ -14,8 +14,12 @@ from vibcli.symbolic.rationals import ONE
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.mechanics.equilibrium.dry_friction import Span
+    from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.report.blocks import Maths
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 MANY = 12       # values told of very many
 
@@ -35,7 +39,7 @@ def equilibrium(problem: "Problem", _: "Report") -> Iterator[Section]:
     yield from section("Equilibrium", *blocks, preloads, *slack)
 
 
-def _in_numbers(problem):
+def _in_numbers(problem: "Problem") -> list[Paragraph | None]:
     from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
     from vibcli.analyses.modal.stability import WORDS
 
@@ -63,13 +67,13 @@ def _in_numbers(problem):
             *_jumping(found), paragraph(warning) if warning else None, *map(paragraph, _of_members(problem))]
 
 
-def _jumping(found):
+def _jumping(found: "Equilibrium") -> Iterator[Paragraph]:
     """What stands for the jumps in the balance of forces."""
     for node, value in found.jumps.senses.items() if found.jumps else ():
         yield paragraph("balanced with ", maths(node), " = " + with_minus(value), hang=None)
 
 
-def _of_members(problem):
+def _of_members(problem: "Problem") -> list[str]:
     """What makes the theory of members doubtful; nothing without members."""
     if not problem.scene.members or problem.numeric.has_free_symbols:
         return []
@@ -78,7 +82,7 @@ def _of_members(problem):
     return member_warnings(problem.configuration)
 
 
-def _balanced(residual):
+def _balanced(residual: float) -> str:
     """How well the forces balance."""
     if not residual:
         return "the forces balance exactly"
@@ -108,7 +112,7 @@ def held(problem: "Problem") -> Iterator[Any]:
         yield paragraph(*told)
 
 
-def _span(problem, ends):
+def _span(problem: "Problem", ends: "Span") -> "list[Maths | str]":
     """Words on a Span of places of rest."""
     name, (low, high, whole) = problem.scene.coordinates[0], ends
     if not isfinite(low) and not isfinite(high):
@@ -118,12 +122,12 @@ def _span(problem, ends):
     return ["which is " if whole else "one such stretch is ", maths(Name(name), *told)]
 
 
-def _from_start(problem):
+def _from_start(problem: "Problem") -> Paragraph | None:
     """How far an equilibrium lies from the start that `equilibrium:` names, None where it names none."""
     found = problem.configuration.equilibrium
     if found.start is None:
         return None
-    def told(values, sign=""):
+    def told(values: "Mapping[str, float]", sign: str = "") -> "list[str | Maths]":
         return separated(maths(sign, Name(name), " = ", *measured(values[name], problem.system.dimension(name)))
                          for name in problem.scene.coordinates)
 
@@ -131,7 +135,7 @@ def _from_start(problem):
                      *told(found.from_start, "Δ"), hang=None)
 
 
-def _in_letters(problem):
+def _in_letters(problem: "Problem") -> list[Paragraph | None]:
     from vibcli.report.sections.symbolic_modes import equilibrium_parts
 
     parts = equilibrium_parts(problem.symbolic.equilibrium_position)
@@ -148,7 +152,7 @@ def measured(value: float, dimension: "Mapping[str, Fraction | int]") -> tuple[s
     return number, Words(unit)
 
 
-def _preload(problem, node, name):
+def _preload(problem: "Problem", node: "Node", name: str) -> "tuple[Node | str | Words, ...]":
     if problem.numeric.has_free_symbols:
         return (node,)
     from vibcli.symbolic.evaluation import Floats, evaluate
@@ -167,7 +171,7 @@ def slack_ropes(problem: "Problem") -> list[Paragraph]:
             for signal, value in slack(problem.configuration.reactions)]
 
 
-def _data(problem):
+def _data(problem: "Problem") -> "dict[str, dict[str, float | Node] | float | list[Any] | None]":
     if problem.numeric.has_free_symbols:
         return EQUILIBRIUM.row(problem.symbolic.equilibrium_position, problem.scene.dependent, *[None] * 5, [])
     from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
@@ -197,7 +201,7 @@ EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn positio
     Key("of_members", "sentences: of thick beams, and of members that turn far in equilibrium; a list")))
 
 
-def _sticking(problem):
+def _sticking(problem: "Problem") -> dict[str, float | list[str] | None]:
     from vibcli.mechanics.equilibrium.dry_friction import span
     from vibcli.notation.scene_language import language
 

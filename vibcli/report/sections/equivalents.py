@@ -1,8 +1,8 @@
 """The pair of springs, and of dampers, that resists like those that end together at one place."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import atan2, degrees, pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.reader import Record, Reference
@@ -15,7 +15,10 @@ from vibcli.report.keys import Key
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
+    from vibcli.mechanics.concurrent import Concurrent
     from vibcli.mechanics.equivalents import Equivalent
+    from vibcli.report.blocks import Equations, Paragraph
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
@@ -51,7 +54,7 @@ def equivalents(problem: "Problem", _: "Report") -> Iterator[Section]:
         yield from section(f"Equivalent springs and dampers at '{place}', other ends held", *_told(problem, place))
 
 
-def _told(problem, place):
+def _told(problem: "Problem", place: str) -> "Iterator[Equations | Paragraph | TableBlock]":
     from vibcli.mechanics.concurrent import ending_at
 
     spec, scene = problem.spec, problem.scene.resting
@@ -66,7 +69,7 @@ def _told(problem, place):
         yield paragraph(f"Not counted: {', '.join(left_out)}.", hang=0)
 
 
-def _names(value):
+def _names(value: "Expression | list[Reference] | Record | Reference") -> set[str]:
     """All names that a record refers to."""
     if isinstance(value, Reference):
         return {value.text}
@@ -74,7 +77,7 @@ def _names(value):
     return {name for one in inner for name in _names(one)}
 
 
-def _in_numbers(problem, place, which):
+def _in_numbers(problem: "Problem", place: str, which: str) -> Iterator[Any]:
     """Each element, and the pair."""
     found = equivalent_at(problem, place, which)
     rows = [(one.name, figure(degrees(angle)), figure(k + around), figure(around)) for one, (k, angle, around) in zip(
@@ -94,17 +97,17 @@ def _in_numbers(problem, place, which):
         yield _alike(which)
 
 
-def _shown(value, size):
+def _shown(value: float, size: float) -> str:
     """A number, zero where only rounding is left."""
     return figure(0.0 if abs(value) < 1e-13 * size else value)
 
 
-def _sizes(problem, elements):
+def _sizes(problem: "Problem", elements: "Sequence[Concurrent]") -> list[float]:
     return evaluate([node for one in elements for node in (one.kappa, one.around)], Floats,
                     problem.configuration.at_rest)
 
 
-def _each(problem, elements):
+def _each(problem: "Problem", elements: "list[Concurrent]") -> Iterator[tuple[float, float, float]]:
     """(κ, angle, N/l) of each."""
     nodes = [node for one in elements for node in one.nodes]
     size = sum(abs(one) for one in _sizes(problem, elements))
@@ -122,7 +125,7 @@ def equivalent_at(problem: "Problem", place: str, which: str) -> "Equivalent":
     return equivalent(problem.configuration, elements_at(problem, place, which))
 
 
-def _in_letters(problem, place, which):
+def _in_letters(problem: "Problem", place: str, which: str) -> Iterator[Any]:
     """The largest and the least, and the direction of the largest."""
     from vibcli.mechanics.concurrent import in_letters
 
@@ -134,11 +137,11 @@ def _in_letters(problem, place, which):
         yield _alike(which)
 
 
-def _alike(which):
+def _alike(which: str) -> "Paragraph":
     return paragraph(f"The {which} act alike in every direction.", hang=0)
 
 
-def _axes(problem, place):
+def _axes(problem: "Problem", place: str) -> "Paragraph":
     """Do both pairs have the same axes?"""
     from vibcli.mechanics.concurrent import axes_differ
     from vibcli.mechanics.equivalents import share_axes
@@ -154,14 +157,14 @@ def _axes(problem, place):
     return paragraph("Springs and dampers share their axes: the modes of a particle on these alone are real.", hang=0)
 
 
-def _data(problem):
+def _data(problem: "Problem") -> list[dict[str, bool | dict[str, float | list[str] | None] | str | None]] | None:
     """{place: {section: numbers}}; None of a scene with letters."""
     if problem.numeric.has_free_symbols:
         return None
     return [_row(problem, place) for place in places(problem)]
 
 
-def _row(problem, place):
+def _row(problem: "Problem", place: str) -> dict[str, bool | dict[str, float | list[str] | None] | str | None]:
     from vibcli.mechanics.concurrent import ending_at
     from vibcli.mechanics.equivalents import share_axes
 
@@ -171,7 +174,7 @@ def _row(problem, place):
     return KEY.row(place, *pairs, share_axes(*found.values()) if len(found) == 2 else None)
 
 
-def _pair(one):
+def _pair(one: "Equivalent | None") -> dict[str, float | list[str] | None] | None:
     if one is None:
         return None
     numbers = {part: getattr(one, part).value for part in PARTS if part != "angle"}

@@ -1,8 +1,8 @@
 """Estimates of the lowest natural frequency, by Rayleigh and by Dunkerley."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from math import tau
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
@@ -37,7 +37,7 @@ def estimates(problem: "Problem", _: "Report") -> Iterator[Section]:
         if len(found.alone) > 1 else None, *_members(found))
 
 
-def _members(found):
+def _members(found: Any) -> Iterator[Any]:
     """Lumped equivalents and finite elements."""
     if found.members is None:
         return
@@ -50,7 +50,7 @@ def _members(found):
     yield from _elements(found.members.elements, found.members.exact)
 
 
-def _elements(elements, exact, rigid=0):
+def _elements(elements: Iterable[Any], exact: list[Any], rigid: int = 0) -> Iterator[Any]:
     """What finite elements give for frequencies beyond the rigid ones."""
     from vibcli.notation.names import lowered
 
@@ -61,7 +61,7 @@ def _elements(elements, exact, rigid=0):
         yield TableBlock(("elements a piece", *heads), tuple(rows))
 
 
-def _of_what_is_free(problem):
+def _of_what_is_free(problem: "Problem") -> Any:
     """(rigid modes, [(elements a piece, [ω])], the exact ω) of members that are held nowhere; nothing of others."""
     modal = problem.modal
     linear = modal.configuration.linear_system
@@ -73,13 +73,13 @@ def _of_what_is_free(problem):
     return rigid, *beside_elements(modal, rigid)
 
 
-def _beside(omegas, exact):
+def _beside(omegas: Sequence[float], exact: Sequence[float]) -> Iterator[str]:
     """ω and its error, for each of the exact ones; nothing where there are fewer."""
     for i, omega in enumerate(exact):
         yield from (figure(omegas[i]), off(omegas[i], omega)) if i < len(omegas) else ("", "")
 
 
-def _estimates(problem):
+def _estimates(problem: "Problem") -> dict[str, Any]:
     try:
         found = problem.modal.result("estimates")
     except PhysicsError as error:
@@ -89,7 +89,7 @@ def _estimates(problem):
     return KEY.row(found.omega, found.rayleigh, found.dunkerley, found.deflection, found.alone, lumped, elements, None)
 
 
-def _by_divisions(elements):
+def _by_divisions(elements: Iterable[tuple[int, Any]]) -> dict[str, Any]:
     return {str(divisions): omegas for divisions, omegas in elements}
 
 

@@ -1,7 +1,7 @@
 """The energies of a scene by powers of the deviations from equilibrium, and the equations of motion so truncated."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -13,6 +13,7 @@ from vibcli.report.sections.equations_of_motion import numeric_sum
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.report.blocks import Line, Paragraph
     from vibcli.report.document import Report
     from vibcli.results.expansions import Expansion
     from vibcli.results.problem import Problem
@@ -54,7 +55,7 @@ def expansion(problem: "Problem", _: "Report") -> Iterator[Section]:
                        *_each(lines, lambda one: _equations(problem, one)), _left_out(problem, found[0]))
 
 
-def _series(problem, order):
+def _series(problem: "Problem", order: int) -> "Iterator[Paragraph]":
     """How far the series of forces are off where the motion starts."""
     from vibcli.results.truncated_forces import truncated_forces
 
@@ -67,7 +68,7 @@ def _series(problem, order):
                         f"({100 * abs(off):.2g} % too {'much' if off > 0 else 'little'}).", hang=0)
 
 
-def _each(lines, told):
+def _each(lines: "Sequence[tuple[Heading, Expansion]]", told: "Callable[..., list[Line]]") -> Iterator[Any]:
     for heading, one in lines:
         shown = told(one)
         if shown:
@@ -75,16 +76,16 @@ def _each(lines, told):
             yield blocks.equations(shown)
 
 
-def _deflections(problem, one):
+def _deflections(problem: "Problem", one: "Expansion") -> "list[Line]":
     return [line(*sum_of(problem, one, terms), label=Name(name)) for name, terms in one.deflections.items() if terms]
 
 
-def _shares(problem, one, which):
+def _shares(problem: "Problem", one: "Expansion", which: str) -> "list[Line]":
     return [line("V = ", *sum_of(problem, one, getattr(shares, which)), label=Name(name))
             for name, shares in one.springs.items()]
 
 
-def _equations(problem, one: "Expansion"):
+def _equations(problem: "Problem", one: "Expansion") -> "list[Line]":
     return [line(*sum_of(problem, one, terms), " = 0", label=Name(name)) for name, terms in zip(
         problem.scene.coordinates, one.equations or (), strict=one.equations is not None)]
 
@@ -104,7 +105,7 @@ def left_out(problem: "Problem", one: "Expansion") -> list[str]:
     return left + ["what changes with time"] * one.timed
 
 
-def _left_out(problem, one: "Expansion"):
+def _left_out(problem: "Problem", one: "Expansion") -> "Paragraph | None":
     if one.equations is None:
         return paragraph("Not written out: loads follow the motion here. `motion: {order: 3}` follows the expanded "
                          "motion.", hang=0)
@@ -112,7 +113,7 @@ def _left_out(problem, one: "Expansion"):
     return paragraph(f"Left out: {' and '.join(left)}.", hang=0) if left else None
 
 
-def _data(problem):
+def _data(problem: "Problem") -> dict[str, Any]:
     """Of numbers where all parameters have values, with the letters beside them where they are known."""
     from vibcli.results.expansions import expansions
     from vibcli.results.truncated_forces import truncated_forces
@@ -135,7 +136,8 @@ def _data(problem):
     return KEY.row(order, V, T, springs, series, equations, None if equations is None else left_out(problem, one), None)
 
 
-def _rows(one, terms, letters):
+def _rows(one: "Expansion", terms: Mapping[tuple[int, ...], Any],
+          letters: Mapping[tuple[int, ...], Any] | None) -> list[dict[str, Any]]:
     """[{product, factor, letters}] of terms, as they are and in letters."""
     from vibcli.notation.scene_language import language
 

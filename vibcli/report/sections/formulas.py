@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import SHOWN, figure
 from vibcli.report import blocks
@@ -11,7 +11,9 @@ from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
     from vibcli.analyses.transient.textbook_form import Part
+    from vibcli.report.blocks import Equations
     from vibcli.report.sections.requested_signals import RequestedSignal
+    from vibcli.results.signals import LinearSignal
 
 MOST_PARTS, MOST_PIECES, MOST_DIGITS = 8, 4, 15
 NO_ANGLE = 1e-12
@@ -30,10 +32,10 @@ def formulas(asked: "Sequence[RequestedSignal]", until: float) -> Iterator[Secti
     yield from section("As a formula, in SI units", *found)
 
 
-def _pieces(one, signal, starts, until):
+def _pieces(one: "RequestedSignal", signal: "LinearSignal", starts: Sequence[float], until: float) -> "list[Equations]":
     from vibcli.analyses.transient.textbook_form import formula
 
-    found: list = []
+    found: list[Any] = []
     name = Name(one.text) if isinstance(one.tree, NameRef) and "." not in one.text else one.text
     for number, start in enumerate(starts):
         parts = formula(signal.motion, signal.output, number, until=until)
@@ -57,9 +59,9 @@ def sum_of(parts: "Sequence[Part]", t: str) -> str:
     return text or "0"
 
 
-def _alike(parts):
+def _alike(parts: Sequence[Any]) -> list[Any]:
     """[parts that are one power of the time, or several times the same e^{λt}]"""
-    groups: list = []
+    groups: list[Any] = []
     for part in parts:
         last = groups[-1][-1] if groups else None
         if last and part.rate and not part.omega and (last.rate, last.omega) == (part.rate, 0.0):
@@ -69,22 +71,22 @@ def _alike(parts):
     return groups
 
 
-def _polynomial(group, t, digits):
+def _polynomial(group: Sequence[Any], t: str, digits: int) -> tuple[bool, str]:
     """(False, (a + b t + …) e^{λt})"""
     inside = sum_of([part._replace(rate=0.0) for part in group], t)
     return False, f"({inside})·{_falling(group[0], t, digits)}"
 
 
-def _digits(parts):
+def _digits(parts: Sequence[Any]) -> int:
     """How many digits of frequencies and rates tell those apart that differ."""
-    def apart(digits):
+    def apart(digits: int) -> bool:
         return all(len({figure(value, digits=digits) for value in values}) == len(values) for values in both)
 
     both = {part.omega for part in parts}, {part.rate for part in parts}
     return next((digits for digits in range(SHOWN, MOST_DIGITS) if apart(digits)), MOST_DIGITS)
 
 
-def _product(part, t, digits):
+def _product(part: "Part", t: str, digits: int) -> tuple[bool, str]:
     """(negative, text of the magnitude) of a part."""
     from vibcli.notation.plain import plain
 
@@ -101,17 +103,17 @@ def _product(part, t, digits):
     return negative, "·".join(factors + [wave] * bool(wave))
 
 
-def _falling(part, t, digits):
+def _falling(part: "Part", t: str, digits: int) -> str:
     return f"e^({'−' if part.rate < 0 else ''}{_times(abs(part.rate), t, digits)})"
 
 
-def _times(rate, t, digits):
+def _times(rate: float, t: str, digits: int) -> str:
     """rate·t, t alone where the rate is one."""
     size = figure(rate, digits=digits)
     return t if size == "1" else f"{size}·{t}"
 
 
-def _wave(part, t, digits):
+def _wave(part: "Part", t: str, digits: int) -> tuple[bool, str]:
     """(whether −, sin or cos) of cos(ωt − φ), which is a sine where φ is a right angle and a minus where it is two."""
     angle = _times(part.omega, t, digits)
     for lag, turned, function in ((0.0, False, "cos"), (math.pi, True, "cos"), (math.pi / 2, False, "sin"),

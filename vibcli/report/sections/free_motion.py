@@ -11,6 +11,7 @@ from vibcli.report.sections.equilibrium import measured
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
+    from vibcli.report.blocks import Maths
     from vibcli.report.document import Report
     from vibcli.results.full_response import FullResponse
     from vibcli.results.problem import Problem
@@ -40,7 +41,7 @@ def swinging(problem: "Problem", motion: "FullResponse") -> Iterator[Section]:
         return
 
 
-def _period(problem, motion):
+def _period(problem: "Problem", motion: "FullResponse") -> Iterator[Section]:
     name, = problem.scene.coordinates
     found = motion.by_quadrature(NameRef(0, 0, name, 0))
     if found is None:
@@ -53,7 +54,7 @@ def _period(problem, motion):
     yield from section("Period of the swing", paragraph(*parts))
 
 
-def _small_period(problem):
+def _small_period(problem: "Problem") -> float | None:
     """2π/ω of small oscillations; None where there are none."""
     from math import tau
 
@@ -64,7 +65,7 @@ def _small_period(problem):
     return tau / float(omega) if omega else None
 
 
-def _rest(problem, motion):
+def _rest(problem: "Problem", motion: "FullResponse") -> Iterator[Section]:
     """Half cycles end where all stands still for an instant, or for good."""
     for look in LOOKS:
         trajectory = motion.trajectory(look)
@@ -84,7 +85,7 @@ def _rest(problem, motion):
     yield from section("Motion under dry friction", paragraph(*told))
 
 
-def _place(problem, motion, t):
+def _place(problem: "Problem", motion: "FullResponse", t: float) -> "Maths":
     """x = 5 mm, where it is at an instant."""
     name, = problem.scene.coordinates
     signal = motion.signal_of(problem.scene.symbol(name, 0), {})

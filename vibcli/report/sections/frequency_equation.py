@@ -1,8 +1,8 @@
 """Frequency equations of members as textbooks write them: the equation, its roots, shapes, what is orthogonal."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.closed_form.lumped_impedances import coupled
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
@@ -29,7 +29,9 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
     from vibcli.analyses.closed_form.tied_members import Tied
+    from vibcli.report.blocks import Line, Paragraph
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
@@ -55,7 +57,7 @@ def frequency_equation(problem: "Problem", report: "Report") -> Iterator[Section
     yield from section("Frequency equation" + "s" * (len(blocks) > 1) + undamped, *blocks, *_apart(problem))
 
 
-def _apart(problem):
+def _apart(problem: "Problem") -> "Iterator[Paragraph]":
     """What no member is tied to, whose frequencies these equations do not have."""
     form, names = problem.symbolic.linearisation, problem.scene.q
     M, _, G, K = matrices_in_letters(form)
@@ -66,7 +68,7 @@ def _apart(problem):
                         "of which these equations tell nothing")
 
 
-def _equations(problem, plain, shapes):
+def _equations(problem: "Problem", plain: "Problem", shapes: Callable[..., Any]) -> "Iterator[list[Line]]":
     """The lines on each equation, with its shapes(members): of chains of pieces, of members that meet in one motion, of
     others; `plain`: the same problem, whose modes are told."""
     from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
@@ -92,7 +94,8 @@ def _equations(problem, plain, shapes):
         yield list(lines(Words(", ".join(members)) if len(names) > 1 else None))
 
 
-def _unwritten(problem, shapes, members, size, label):
+def _unwritten(problem: "Problem", shapes: Callable[..., Any], members: tuple[str, ...], size: int,
+               label: str | None) -> "Iterator[Line]":
     """What is solved, and the shapes."""
     yield from _determinant(size, problem.symbolic.discrete_matrices[2], label)
     if any(placed.owner in members and not (placed.piece.bending.is_zero or placed.piece.gradient.is_zero)
@@ -101,7 +104,7 @@ def _unwritten(problem, shapes, members, size, label):
     yield from shapes(members)
 
 
-def _determinant(size, G, label):
+def _determinant(size: int, G: Mapping[Any, Any], label: str | None) -> "Iterator[Line]":
     """What is solved where nothing shorter is told."""
     if not size:
         yield line(Words("not written out: the frequencies are those of the member between what holds it"), label=label)
@@ -111,7 +114,7 @@ def _determinant(size, G, label):
                                      "not written out"), label=label)
 
 
-def _long(problem, shapes, found, label):
+def _long(problem: "Problem", shapes: Any, found: "FrequencyEquation", label: str) -> Iterator[Any]:
     """What is solved, and the orthogonality."""
     moving = {i for placed in found.pieces for row in placed.rows for i in row}
     yield from _determinant(len(moving) + len(found.hung), problem.symbolic.discrete_matrices[2], label)
@@ -119,7 +122,7 @@ def _long(problem, shapes, found, label):
     yield from orthogonality(problem, found)
 
 
-def _met(problem, shapes, tied, label):
+def _met(problem: "Problem", shapes: Callable[..., Any], tied: "Tied", label: Words) -> "Iterator[Line]":
     """k₁ + k₂ + Z = 0, and what these are."""
     yield line(*factors(tied.left), " = ", tied.right, *([] if tied.omega.name == "omega" else [
         Words(",  "), tied.omega, Words(" the circular frequency")]), label=label)
@@ -145,7 +148,7 @@ def _met(problem, shapes, tied, label):
     yield from orthogonality(problem, tied)
 
 
-def _anyhow(tied):
+def _anyhow(tied: "Tied") -> list[Any]:
     """Where waves of a member in a bed become one, or straight, at a frequency that need be none of its own: both
     parts of dynamic stiffnesses are 0 there."""
     if all(placed.piece.foundation.is_zero for placed in tied.pieces):
@@ -157,7 +160,7 @@ def _anyhow(tied):
     return [Words("; where one of "), *named, Words(" is 0 it may be 0 too, without a frequency there")]
 
 
-def whose(tied: "Tied", letter: "Node") -> list:
+def whose(tied: "Tied", letter: "Node") -> list[Any]:
     """Parts that tell of which members, or on which stretches of one, a dynamic stiffness is."""
     role = [Words(f",  {tied.roles[letter]}")] if letter in tied.roles else []
     if len(tied.members) > 1:
@@ -166,13 +169,14 @@ def whose(tied: "Tied", letter: "Node") -> list:
             textbook(placed.start + placed.piece.length))][1:] + role
 
 
-def _damped(problem):
+def _damped(problem: "Problem") -> bool:
     """Does anything damp, which the equation leaves out?"""
     return bool(problem.symbolic.discrete_matrices[1] or problem.spec.get("damping") is not None or
                 any(not placed.piece.drag.is_zero for placed in problem.symbolic.linearisation.pieces))
 
 
-def _solved(problem, plain, shapes, found, label):
+def _solved(problem: "Problem", plain: "Problem", shapes: Callable[..., Any], found: "FrequencyEquation",
+            label: Words | None) -> "Iterator[Line]":
     """The equation, its roots, the frequencies, the shape and the orthogonality."""
     from vibcli.analyses.closed_form.member_shapes import on_both_sides, shape, unstrained
     from vibcli.analyses.closed_form.textbook_equation import by_letters, sides
@@ -207,7 +211,7 @@ def _solved(problem, plain, shapes, found, label):
     yield from orthogonality(problem, found)
 
 
-def _roots(problem, plain, found):
+def _roots(problem: "Problem", plain: "Problem", found: "FrequencyEquation") -> list[float] | None:
     """The first βL that fulfil an equation, as numbers, only if modes have them all; where no modes are known only of
     what has no impedance beside whose pole two may hide."""
     from vibcli.analyses.closed_form.member_shapes import roots
@@ -224,7 +228,7 @@ def _roots(problem, plain, found):
     return kept if len(kept) == len(known) else None
 
 
-def _frequency(found, listed):
+def _frequency(found: "FrequencyEquation", listed: bool) -> "Line":
     """ω = (βL)²·√(EI/(μL⁴)), or its square where a foundation adds to it."""
     x, order = found.wave_number, found.order
     alone = textbook(found.square / x ** order)
@@ -237,7 +241,7 @@ def _frequency(found, listed):
     return line(found.omega, " = ", x ** (order // 2) * x.table.sqrt(alone), inset=2)
 
 
-def _beyond(found, listed):
+def _beyond(found: "FrequencyEquation", listed: bool) -> "list[Node | Words]":
     """βL other than positive at which there are frequencies of a member on a foundation; `listed`: are its roots?"""
     from vibcli.analyses.closed_form.member_shapes import unstrained
 

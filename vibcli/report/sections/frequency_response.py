@@ -13,8 +13,10 @@ from vibcli.report.keys import Key, data
 from vibcli.report.sections.requested_signals import curves_asked, symbol
 
 if TYPE_CHECKING:
+    from vibcli.report.blocks import Paragraph
     from vibcli.report.document import Report
     from vibcli.report.wanted import Wanted
+    from vibcli.results.frequency_response import FrequencyResponse
     from vibcli.results.problem import Problem
 
 LETTERS = 2     # most degrees of freedom whose amplitudes are written in letters
@@ -38,7 +40,7 @@ def frequency_response(problem: "Problem", report: "Report") -> Iterator[Section
                                              frequency_figure(problem, curves)))
 
 
-def _in_letters(problem, name, driver):
+def _in_letters(problem: "Problem", name: str, driver: str) -> Iterator[Any]:
     """The amplitude and tan θ, resonances and antiresonances; nothing where they are too long or not known."""
     if len(problem.scene.q) > LETTERS:
         if problem.numeric.has_free_symbols:
@@ -66,7 +68,7 @@ def _in_letters(problem, name, driver):
     yield from conditions(found)
 
 
-def _in_numbers(problem, name, driver, unit):
+def _in_numbers(problem: "Problem", name: str, driver: str, unit: str) -> "Iterator[Paragraph | TableBlock]":
     curve = problem.frequency_response(name, driver)
     curve.find_errors()
     rows = [_peak_row(curve, number, peak) for number, peak in enumerate(_peaks(curve), 1)]
@@ -84,12 +86,12 @@ def _in_numbers(problem, name, driver, unit):
         yield paragraph("Ω₁ and Ω₂: half-power points, |H| = peak/√2; Q = Ω/(Ω₂ − Ω₁)")
 
 
-def _place(Omega, off):
+def _place(Omega: float, off: float) -> tuple[str, str]:
     """A frequency that is off by so much, in rad/s and Hz."""
     return supported(Omega, off), supported(Omega / tau, off / tau)
 
 
-def _peak_row(curve, number, peak):
+def _peak_row(curve: "FrequencyResponse", number: int, peak: "ResonancePeak") -> tuple[str, ...]:
     off, relative = curve.error_of_peak(number)
     value = "∞" if peak.value is None else figure(peak.value, relative)
     beside = ["–"] * 3
@@ -100,7 +102,7 @@ def _peak_row(curve, number, peak):
     return f"peak {number}", *_place(peak.Omega, off), value, *beside
 
 
-def _fixed_points(problem, curve, unit):
+def _fixed_points(problem: "Problem", curve: "FrequencyResponse", unit: str) -> Iterator[Any]:
     """Through which all curves pass, whatever the one damper of two degrees of freedom is."""
     dampers = list(problem.spec.get("dampers") or {})
     if len(problem.scene.q) != LETTERS or len(dampers) != 1 or curve.signal.startswith(f"{dampers[0]}."):
@@ -124,7 +126,7 @@ class ResonancePeak(NamedTuple):
     quality: float | None
 
 
-def _peaks(curve):
+def _peaks(curve: "FrequencyResponse") -> Iterator[ResonancePeak]:
     """The resonances of a frequency response, by ascending Ω."""
     curve.find_half_powers()
     for number, (Omega, value) in enumerate(curve.peaks, 1):
@@ -136,7 +138,7 @@ def _peaks(curve):
                             None if low is None else Omega / (high - low))
 
 
-def _static(curve, unit):
+def _static(curve: "FrequencyResponse", unit: str) -> "Paragraph":
     try:
         found, error = curve.at(0.0)
         return paragraph(f"at rest (Ω → 0): {supported(found.real, error * abs(found))}{f' {unit}' * (unit != '1')}")

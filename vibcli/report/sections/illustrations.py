@@ -51,7 +51,7 @@ def mode_pictures(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from section(title, *pictures)
 
 
-def _forces_of(problem, mode, normalise):
+def _forces_of(problem: "Problem", mode: Any, normalise: str) -> list[Picture]:
     """A Picture of the forces and moments within members in a mode; none without them."""
     if not problem.scene.members:
         return []
@@ -65,7 +65,7 @@ def _forces_of(problem, mode, normalise):
     return [drawing(f"mode-{mode.index}-forces", f"forces and moments within members in mode {mode.index}", drawn)]
 
 
-def _moving(problem, index, normalise):
+def _moving(problem: "Problem", index: int, normalise: str) -> bytes:
     """The bytes of an SVG of a mode that moves."""
     from vibcli.drawing.animation import PACE, of_mode
     from vibcli.drawing.canvas.svg_motion import moving

@@ -13,7 +13,7 @@ COLUMNS, ROWS = 8, 40       # of a table; the rest is in the JSON
 NOTHING = 1e-9              # per cent
 
 
-def grid(title: str, columns: Any, write: Callable, *told: Paragraph) -> tuple[Section, ...]:
+def grid(title: str, columns: Any, write: Callable[..., str], *told: Paragraph) -> tuple[Section, ...]:
     """A table of [(head, {name: number})], a row to each name, and what is told under it."""
     names = list(dict.fromkeys(name for _, column in columns for name in column))
     shown = columns[:COLUMNS]

@@ -8,6 +8,7 @@ from vibcli.report.blocks import Section, TableBlock, paragraph, section
 from vibcli.report.sections.expanded_motion import periods
 
 if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.trajectory import Trajectory
     from vibcli.results.problem import Problem
 
 MOST_EVENTS = 40
@@ -25,7 +26,7 @@ def integration(problem: "Problem", motion: Any) -> Iterator[Section]:
         yield from swinging(problem, motion)
 
 
-def _followed(trajectory):
+def _followed(trajectory: "Trajectory") -> Iterator[Section]:
     balance = trajectory.balance
     largest = max(abs(float(x)) for x in (*balance.energy, *balance.work, *balance.dissipated, *balance.driving))
     off = float(balance.error) * largest
@@ -43,7 +44,7 @@ def _followed(trajectory):
                        paragraph(f"and {more} more") if more else None)
 
 
-def _accuracy(trajectory):
+def _accuracy(trajectory: "Trajectory") -> str:
     """How well a motion is known: what it says of itself."""
     if trajectory.rests and trajectory.rests == trajectory.end:
         return "it starts at rest where its forces balance, and nothing acts on it in time: there it stays"

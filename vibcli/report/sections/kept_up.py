@@ -1,6 +1,6 @@
 """The steady state of a scene that something drives to and fro, told without being asked for."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import tau
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from vibcli.report.sections.symbolic_response import ratio_lines
 
 if TYPE_CHECKING:
     from vibcli.report.document import Report
+    from vibcli.report.sections.requested_signals import RequestedSignal
     from vibcli.results.problem import Problem
 
 ENDING = {"step", "ramp", "impulse"}        # what does not go on to and fro
@@ -29,7 +30,7 @@ def kept_up(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from found
 
 
-def _in_numbers(problem, report):
+def _in_numbers(problem: "Problem", report: "Report") -> Iterator[Section]:
     from vibcli.report.sections.steady_state import steady_state
 
     motion = problem.response
@@ -41,7 +42,7 @@ def _in_numbers(problem, report):
         yield from _transmissibility(problem, asked)
 
 
-def _base(problem):
+def _base(problem: "Problem") -> str | None:
     """The one place or body that moves the scene where nothing else does; None of others."""
     from vibcli.quantities.signal_dimensions import inputs
 
@@ -51,7 +52,7 @@ def _base(problem):
     return bases[0] if len(bases) == len(scene.driven) == 1 and not loaded else None
 
 
-def _moved_alike(problem, base):
+def _moved_alike(problem: "Problem", base: str) -> list[str]:
     """The coordinates that are displacements as that of the base is."""
     from vibcli.quantities.signal_dimensions import input_dimension
 
@@ -59,7 +60,7 @@ def _moved_alike(problem, base):
     return [name for name in problem.scene.coordinates if problem.system.dimension(name) == moved]
 
 
-def _transmissibility(problem, asked):
+def _transmissibility(problem: "Problem", asked: "Sequence[RequestedSignal]") -> Iterator[Section]:
     """|X/U| of each displacement where one base moves by U to and fro."""
     from vibcli.report.sections.steady_state import harmonics_of
 
@@ -74,7 +75,7 @@ def _transmissibility(problem, asked):
                        TableBlock(("", "Ω [rad/s]", "f [Hz]", "|X/U|"), tuple(rows)) if rows else None)
 
 
-def _transmissibility_in_letters(problem):
+def _transmissibility_in_letters(problem: "Problem") -> Iterator[Section]:
     base = _base(problem)
     lines = []
     for name in _moved_alike(problem, base) if base else ():
@@ -84,7 +85,7 @@ def _transmissibility_in_letters(problem):
     yield from section(f"Transmissibility, of what '{base}' moves by", equations(lines))
 
 
-def _in_letters(problem):
+def _in_letters(problem: "Problem") -> Iterator[Section]:
     from vibcli.report.sections.symbolic_response import steady_section
 
     names = problem.scene.coordinates

@@ -1,6 +1,6 @@
 """M, C, G and K of the small oscillations as matrices."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -9,6 +9,7 @@ from vibcli.notation.plain import plain
 from vibcli.report.blocks import Heading, Name, Section, TableBlock, maths, section
 
 if TYPE_CHECKING:
+    from vibcli.mechanics.lagrange import EquationsOfMotion
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
@@ -41,7 +42,7 @@ def matrices(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from section(f"Matrices of {_equation(found)}", *letters, *numbers)
 
 
-def _equation(found):
+def _equation(found: "EquationsOfMotion") -> str:
     """M·q̈ + (C + G)·q̇ + K·q = Q, with the matrices that are there."""
     damping = " + ".join(letter for letter in "CG" if any(getattr(found, letter).values()))
     slowed = f"({damping})·q̇" if "+" in damping else f"{damping}·q̇" if damping else ""
@@ -49,7 +50,8 @@ def _equation(found):
     return " + ".join(filter(None, parts)) + (" = Q" if found.drive else " = 0")
 
 
-def _tables(names, found, write, more="") -> list[Heading | TableBlock]:
+def _tables(names: Sequence[str], found: "EquationsOfMotion", write: Callable[..., Any],
+            more: str = "") -> list[Heading | TableBlock]:
     blocks: list[Heading | TableBlock] = []
     for letter, kind in KINDS:
         entries = {pair: node for pair, node in getattr(found, letter).items() if node}
@@ -61,11 +63,11 @@ def _tables(names, found, write, more="") -> list[Heading | TableBlock]:
     return blocks
 
 
-def _number(value):
+def _number(value: float) -> str:
     return figure(value).replace("-", "−")
 
 
-def _fits(table):
+def _fits(table: TableBlock) -> bool:
     """Is a table of expressions no wider than a page?"""
     columns = zip(*(row[1:] for row in table.rows), strict=True)
     return sum(max(width(cell if isinstance(cell, str) else plain(*cell.parts)) for cell in column) + 2

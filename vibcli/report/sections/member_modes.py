@@ -10,7 +10,12 @@ from vibcli.report.keys import Key
 from vibcli.report.own_letters import own_letters
 
 if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.analyses.continuous.mode_fields import ModeFields
+    from vibcli.analyses.continuous.shapes import Moved
     from vibcli.analyses.modal.undamped import Mode
+    from vibcli.elements.member_fields import MemberKind
     from vibcli.results.problem import Problem
 
 LISTED = 6                  # nodes, and antinodes, in a line of the table
@@ -36,7 +41,7 @@ def along_members(problem: "Problem", modes: "Sequence[Mode]", how: str) -> Iter
         yield from section(f"Modes along {name}", TableBlock(head, tuple(rows)), stated)
 
 
-def _told(problem, mode, how):
+def _told(problem: "Problem", mode: "Mode", how: str) -> "tuple[ModeFields, Any]":
     """(its ModeFields, what they are multiplied by, in floats), found in more digits where floats mix it with
     another."""
     told = problem.modal.told_apart(mode)
@@ -44,14 +49,15 @@ def _told(problem, mode, how):
     return problem.modal.fields(told), complex(scale) if scale.imag else float(scale.real)
 
 
-def _row(place, largest, nodes, antinodes):
+def _row(place: "float | mpmath.mpf", largest: "float | mpmath.mpf", nodes: list[float],
+         antinodes: list[float]) -> tuple[str, str, str, str]:
     if not largest:
         return "0", "–", "rests", "–"
     size = f"{abs(complex(largest)):.6g}" if largest.imag else figure(float(largest.real))
     return size, figure(float(place)), _listed(nodes), _listed(antinodes)
 
 
-def _listed(places):
+def _listed(places: list[float]) -> str:
     told = ", ".join(figure(x) for x in places[:LISTED]) + (
         f", … ({len(places)} in all)" if len(places) > LISTED else "")
     return told or "none"
@@ -64,7 +70,7 @@ def member_shapes(problem: "Problem", index: int, how: str) -> dict[str, dict[st
             for name, member in problem.scene.members.items()}
 
 
-def _shape(kind, pieces, scale, top):
+def _shape(kind: "MemberKind", pieces: "list[Moved]", scale: float, top: float) -> dict[str, list[float] | None]:
     """x, u and what follows of it; `top`: where the member moves most."""
     import numpy as np
 

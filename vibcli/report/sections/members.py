@@ -8,7 +8,10 @@ from vibcli.report.own_letters import own_letters
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.elements.member import Member
+    from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
     from vibcli.symbolic.node import Node
 
 # Signs of what a piece of each order does to its left end, along u and ∂u/∂x; those at its right end are the opposite
@@ -27,8 +30,8 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
         return
     form, scene = problem.symbolic.linearisation, problem.scene
     matrices = of_what_is_no_member(problem)
-    blocks: list = []
-    own: dict = {}
+    blocks: list[Any] = []
+    own: dict[Any, Any] = {}
     remark, letters = REMARK, own_letters(scene)
     for name, member in scene.members.items():
         pieces = [piece for piece in form.pieces if piece.owner == name]
@@ -50,7 +53,7 @@ def member_equations(problem: "Problem") -> Iterator[Section]:
                        paragraph(DAMPED) if problem.spec.get("damping") is not None else None)
 
 
-def _letter(member):
+def _letter(member: "Member") -> str:
     """u, or φ of a shaft."""
     from vibcli.notation.names import GREEK
 
@@ -59,7 +62,7 @@ def _letter(member):
 
 def differential(pieces: "Sequence[Any]", u: str) -> Iterator[Line]:
     """EI ∂⁴u/∂x⁴ − N ∂²u/∂x² + k u + c ∂u/∂t + μ ∂²u/∂t² = 0 of each uniform stretch."""
-    stretches: list = []
+    stretches: list[Any] = []
     for placed in pieces:
         piece, end = placed.piece, textbook(placed.start + placed.piece.length)
         pull = [(along, f"{x}∂²{u}/∂x²") for along, x in _tension(placed)] + [(piece.gradient, f"∂{u}/∂x")]
@@ -78,7 +81,7 @@ def differential(pieces: "Sequence[Any]", u: str) -> Iterator[Line]:
         yield line(*parts, *where)
 
 
-def _tension(placed):
+def _tension(placed: "PlacedPiece") -> "tuple[tuple[Node, str], tuple[Node, str]]":
     """N(x) along a piece, x from the left end of the member: coefficients of 1 and of x."""
     piece = placed.piece
     return (textbook(piece.tension - piece.gradient * placed.start), ""), (piece.gradient, "x·")
@@ -100,11 +103,11 @@ def station_conditions(member: Any, pieces: "Sequence[Any]", matrices: Any, scen
         left = right
 
 
-def member_energies(problem: "Problem", kind: str) -> list:
+def member_energies(problem: "Problem", kind: str) -> list[Any]:
     """What members add to T and V, as integrals along each: parts of a formula."""
     form = problem.symbolic.linearisation if problem.symbolic.linearisable else problem.system.linearisation
 
-    def integrand(placed):
+    def integrand(placed: "PlacedPiece") -> "list[tuple[Node, str]]":
         piece, u = placed.piece, _letter(problem.scene.members[placed.owner])
         return {"T": [(piece.inertia, f"(∂{u}/∂t)²")], "Phi": [(piece.drag, f"(∂{u}/∂t)²")],
                 "V": [(piece.bending, f"(∂²{u}/∂x²)²"), *((along, f"{x}(∂{u}/∂x)²") for along, x in _tension(placed)),
@@ -119,10 +122,11 @@ def member_energies(problem: "Problem", kind: str) -> list:
     return list(own_letters(problem.scene).parts(parts))
 
 
-def integrals(pieces: "Sequence[Any]", integrand: "Callable[[Any], list]") -> list[tuple]:
+def integrals(pieces: "Sequence[Any]", integrand: "Callable[..., list[tuple[Node, str]]]"
+              ) -> list[tuple[str, tuple[Factor | str, ...], list[Any]]]:
     """[(member, parts of the integrand, parts that tell from where to where)]: one for all stretches on which it is the
     same; `integrand(piece)`: terms (coefficient, text)."""
-    told: dict = {}
+    told: dict[Any, Any] = {}
     for placed in pieces:
         inner, end = tuple(terms_of(integrand(placed))), textbook(placed.start + placed.piece.length)
         if inner:
@@ -137,11 +141,12 @@ def integrals(pieces: "Sequence[Any]", integrand: "Callable[[Any], list]") -> li
     return found
 
 
-def _is_own(node, member, scene):
+def _is_own(node: "Node", member: "Member", scene: "Scene") -> bool:
     return node in scene.q and member.has_coordinate(node.name)
 
 
-def _balance(i, part, sides, matrices, scene, member, pieces):
+def _balance(i: int, part: int, sides: "tuple[PlacedPiece | None, PlacedPiece | None]", matrices: Any, scene: "Scene",
+             member: "Member", pieces: Sequence[Any]) -> list[Any]:
     """Internal force = what acts on the station, other members held there too; the jump of it at an inner one."""
     u, (left, right) = _letter(member), sides
     acting = [(node, RATES[kind][part].format(u=u) if j == i else Name(scene.q[j].name + "'" * (2 - kind)))
@@ -161,7 +166,7 @@ def _balance(i, part, sides, matrices, scene, member, pieces):
     return [*own, " = ", *(terms_of([(sign * node, name) for node, name in acting]) or ["0"])]
 
 
-def _forces(placed, end, u):
+def _forces(placed: "PlacedPiece", end: int, u: str) -> "list[list[tuple[Node, str]]]":
     """Internal forces along u and ∂u/∂x at the left (0) or right (1) end: terms (coefficient, derivative)."""
     piece = placed.piece
     tension = textbook(piece.tension + piece.gradient * piece.length) if end else textbook(piece.tension)
@@ -171,7 +176,7 @@ def _forces(placed, end, u):
     return [[(bending, f"∂³{u}/∂x³"), (-tension, f"∂{u}/∂x")], [(bending, f"∂²{u}/∂x²")]]
 
 
-def of_what_is_no_member(problem: "Problem") -> tuple:
+def of_what_is_no_member(problem: "Problem") -> "tuple[dict[tuple[int, int], Node], ...]":
     """M, C + G, K of what is no member."""
     M, C, G, K = problem.symbolic.discrete_matrices
     return M, {pair: (C[pair] + G[pair] if pair in C else G[pair]) if pair in G else C[pair] for pair in C | G}, K
@@ -185,7 +190,7 @@ def carried(i: int, pieces: "Sequence[Any]", matrices: Any, scene: Any) -> Line:
                 label=Name(scene.q[i].name))
 
 
-def _pulls(i, pieces, scene):
+def _pulls(i: int, pieces: "Sequence[PlacedPiece]", scene: "Scene") -> Any:
     """What pieces of members do along the coordinate i: terms (coefficient, (derivative, of whom, where))."""
     for placed in pieces:
         signs = SIGNS[2 if placed.piece.bending.is_zero else 4]
@@ -198,9 +203,9 @@ def _pulls(i, pieces, scene):
                                (text, Words(f" of {placed.owner}"), Words(" at x = "), place))
 
 
-def terms_of(terms: "Iterable[tuple[Node, Any]]") -> list:
+def terms_of(terms: "Iterable[tuple[Node, Any]]") -> "list[Factor | Name | Node | str | Words]":
     """Σ coefficient·text as parts of a formula, without what is zero."""
-    parts: list = []
+    parts: list[Any] = []
     for node, text in terms:
         node = textbook(node)
         if node.is_zero:

@@ -4,10 +4,10 @@ from cmath import polar as to_polar
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 from math import degrees, floor, log10, tau
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import NEGATIVE, figure, rounded_up
-from vibcli.report.blocks import Name, Paragraph, TableBlock, maths, paragraph, separated
+from vibcli.report.blocks import Name, TableBlock, maths, paragraph, separated
 from vibcli.report.sections.too_long import passed_over, places_told
 
 if TYPE_CHECKING:
@@ -65,11 +65,11 @@ def damped_row(mode: "DampedMode") -> tuple[str, ...]:
             figure(_float(mode.decay), of_decay), error, note)
 
 
-def _float(value):
+def _float(value: float | None) -> float | None:
     return None if value is None else float(value)
 
 
-def _real(value):
+def _real(value: float) -> str:
     value = complex(value).real
     return figure(0.0 if abs(value) < NOTHING else value)
 
@@ -82,7 +82,7 @@ def polar(value: complex) -> str:
     return f"{size:.4g} ∠ {_set(f'{degrees(angle):.4g}')}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
 
 
-def _set(figures):
+def _set(figures: str) -> str:
     """A number among other signs as it is set in print."""
     return NEGATIVE.sub("−", figures)
 
@@ -93,7 +93,7 @@ def shapes_told(count: int) -> int:
 
 
 def shapes(names: Sequence[str], numbers: Sequence[int], found: Sequence[list[complex]],
-           write: Callable = _real) -> list[Paragraph | TableBlock | None]:
+           write: Callable[..., str] = _real) -> list[Any]:
     """Blocks of the shapes of modes of these numbers, the first `shapes_told` of them: a column a mode, or a line a
     mode where there are many, of many coordinates at evenly spread ones."""
     names = list(names)
@@ -104,5 +104,6 @@ def shapes(names: Sequence[str], numbers: Sequence[int], found: Sequence[list[co
                 *(paragraph(f"mode {i}: " + " ".join(write(shape[place]) for place in places), hang=None)
                   for i, shape in zip(numbers[:LONGEST], found, strict=False)),
                 paragraph("…", hang=None) if len(numbers) > LONGEST else None]
-    rows = [(maths(Name(names[i])), *(write(shape[i]) for shape in found)) for i in places_told(len(names))]
+    rows: list[tuple[Any, ...]] = [(maths(Name(names[i])), *(write(shape[i]) for shape in found))
+                                   for i in places_told(len(names))]
     return [TableBlock(("", *(f"mode {i}" for i in numbers)), tuple(rows)), passed_over(len(rows), len(names))]

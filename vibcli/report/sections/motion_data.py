@@ -18,8 +18,14 @@ from vibcli.report.sections.response import (
 from vibcli.report.sections.steady_state import harmonics_of, phase_in
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.report.sections.requested_signals import RequestedSignal
     from vibcli.report.wanted import Wanted
+    from vibcli.results.escalation import BoundedExtreme
     from vibcli.results.problem import Problem
+    from vibcli.results.response import Response
+    from vibcli.results.signal import Signal
 
 
 def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
@@ -45,30 +51,32 @@ def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
         "periods": compared_periods(problem, motion)})
 
 
-def _of_extreme(found, end):
+def _of_extreme(found: "BoundedExtreme | str", end: float) -> tuple[float | None, float | None, float | None]:
     """(value, bound of its error, instant) of a BoundedExtreme up to an end; nothing of what is not known."""
     if found is None or isinstance(found, str):
         return (None,) * 3
     return found.value, found.error, found.time if found.tells_instant(end) else None
 
 
-def _values(problem, one, wanted, known):
+def _values(problem: "Problem", one: "RequestedSignal", wanted: "Wanted",
+            known: float) -> "list[tuple[float | Fraction | None, ...]]":
     """[(t, value, bound of its error, why there is none)] at the instants asked for; with --digits as texts; None
     beyond what is known."""
-    def value(t):
+    def value(t: "Fraction") -> "tuple[Any, ...]":
         from vibcli.results.escalation import value_of_signal
 
         if float(t) > known:
             return None, None, None
         if wanted.digits is not None:
             return value_at(one, t, wanted.digits), None, None
-        return if_known(lambda: (*value_of_signal(one.signal.read_at(float(t)), t), None),
-                        lambda _: (None, None, unknown_at(one, t)))
+        found: tuple[Any, ...] = if_known(lambda: (*value_of_signal(one.signal.read_at(float(t)), t), None),
+                                            lambda _: (None, None, unknown_at(one, t)))
+        return found
 
     return [(t, *value(t)) for _, t in wanted.at]
 
 
-def _steady(motion, signal, convention):
+def _steady(motion: "Response", signal: "Signal", convention: str) -> list[tuple[float, complex, float]] | None:
     """[(Ω, X, phase)] of the steady state; None where there is none."""
     if not motion.drive or not hasattr(signal, "output"):
         return None

@@ -21,7 +21,7 @@ LONG = 1000         # signs of an energy as it is printed, beyond which displace
 class NamedDrives:
     """The energies of a scene with symbols for its displacements in time; `stands`: [(symbol, what it stands for)]."""
 
-    def __init__(self, problem: "Problem", letter: str):
+    def __init__(self, problem: "Problem", letter: str) -> None:
         self._problem = problem
         self._opened = problem.symbolic.configuration.with_inputs.scene
         self._names: dict[Any, Any] = {}
@@ -36,7 +36,7 @@ class NamedDrives:
         for legs in list(table.legs):
             table.legs[tuple(substitute(legs, self._names))] = None
 
-    def _name(self, symbol, node, name):
+    def _name(self, symbol: "Node", node: "Node", name: str) -> None:
         opened, i = self._opened, self._opened.q.index(symbol)
         for at, mark in ((symbol, ""), (opened.v[i], "'"), (opened.a[i], "''")):
             self._names[at], self._values[at] = opened.table.variable(name + mark), node
@@ -84,7 +84,7 @@ class NamedDrives:
         table = self._problem.scene.table
         return [(copied([factor], table)[0], copied([name], table)[0]) for factor, name in driven]
 
-    def _named(self, mine, whole):
+    def _named(self, mine: "Node", whole: "Node") -> "Node":
         """An expression with the symbols; the engine's where they do not have the same value at states of motion."""
         from vibcli.report.steps.agreement import same_in_motion
 
@@ -93,7 +93,7 @@ class NamedDrives:
         return substitute([mine], self._names)[0]
 
 
-def _letter(problem):
+def _letter(problem: "Problem") -> str | None:
     """One that no name of the scene has with a number; None where all are taken."""
     taken = {*problem.spec.parameters, *problem.scene.coordinates}
     free = (one for one in ("u", "s", "w", "xi") if not any(re.fullmatch(rf"{one}\d+", name) for name in taken))

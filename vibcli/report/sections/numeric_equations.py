@@ -70,7 +70,7 @@ def numeric_drive(problem: "Problem", equations: "EquationsOfMotion", i: int) ->
     return [(value, moving) for moving, value in row.items() if abs(value) > ROUNDING * sizes[moving]]
 
 
-def _multiplied_out(problem, node):
+def _multiplied_out(problem: "Problem", node: "Node") -> Any:
     """{monomial: coefficient} of a function of the time; where its letters make it too long, with their numbers."""
     try:
         return expanded(node)
@@ -82,7 +82,7 @@ def _multiplied_out(problem, node):
         return expanded(substitute([node], known)[0])
 
 
-def _beside(node, time):
+def _beside(node: "Node", time: Any) -> "Iterator[Node]":
     """The largest parts of sums and products in a node that do not depend on the time."""
     if not node.mask & time:
         yield node

@@ -1,6 +1,6 @@
 """What two modes of members are orthogonal by: integrals of their inertia along them, and all that is lumped."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import combinations_with_replacement
 from typing import TYPE_CHECKING, Any
@@ -11,7 +11,11 @@ from vibcli.report.sections.members import integrals, terms_of
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
+    from vibcli.analyses.closed_form.tied_members import Tied
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 HUNG = "YWVUS"      # amplitudes of what hangs on members
 
@@ -41,12 +45,12 @@ def orthogonality(problem: "Problem", found: Any) -> Iterator[Line]:
     yield line(*told, *joined, " = 0, ω_i ≠ ω_j", *([Words("   "), *meaning[1:]] if meaning else []), inset=2)
 
 
-def _joined(terms):
+def _joined(terms: Sequence[Any]) -> list[Any]:
     """Terms of a sum behind others: the first with its sign."""
     return [" − ", *terms[1:]] if terms[0] == "−" else [" + ", *terms]
 
 
-def _motions(found, several):
+def _motions(found: "FrequencyEquation | Tied", several: bool) -> Any:
     """[(text of a motion X or ∂X/∂x of a place in mode i or j, whose it is)] of the stations, and {coordinate: {number
     of a motion: how much of it that is}}."""
     motions, parts = [], {}
@@ -62,22 +66,24 @@ def _motions(found, several):
     return motions, parts
 
 
-def _motion(part, place, mode):
+def _motion(part: int, place: "Node", mode: str) -> "tuple[str, Node, str]":
     """X_i(L), or ∂X_i/∂x(L) of a turn."""
     return (f"∂X_{mode}/∂x(" if part else f"X_{mode}(", place, ")")
 
 
-def _of_hung(letter, mode):
+def _of_hung(letter: str, mode: str) -> tuple[str]:
     return (f"{letter}_{mode}",)
 
 
-def _lumped(M, parts, m, n, table):
+def _lumped(M: "Mapping[tuple[int, int], Node]", parts: "Mapping[int, dict[int, Node]]", m: int, n: int,
+            table: "Table") -> "Node":
     """What the mass matrix has of two motions."""
     return textbook(table.total([node * parts[i][m] * parts[j][n] for (i, j), node in M.items()
                                  if m in parts.get(i, ()) and n in parts.get(j, ())]))
 
 
-def _products(one, other):
+def _products(one: tuple[Callable[..., Any], list[Words]],
+              other: tuple[Callable[..., Any], list[Words]]) -> "tuple[Node | str | Words, ...]":
     """The products of two motions in the modes i and j."""
     (first, owner), (second, another) = one, other
     if one is other:
@@ -88,5 +94,5 @@ def _products(one, other):
     return ("(", *first("i"), "·", *second("j"), " + ", *second("i"), "·", *first("j"), ")", *both)
 
 
-def _with_owner(motion, owner, mode):
+def _with_owner(motion: Callable[..., Any], owner: Sequence[Words], mode: str) -> "tuple[str, Node, str, Words]":
     return (*motion(mode), *owner)

@@ -1,11 +1,12 @@
 """What is given, and the coordinates."""
 
 from collections.abc import Collection, Iterator, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
+from vibcli.notation.names_in_words import with_symbols
 from vibcli.notation.numbers import figure, with_unit
 from vibcli.report.blocks import (
     Definition,
@@ -26,7 +27,7 @@ from vibcli.symbolic.evaluation import Floats
 if TYPE_CHECKING:
     from fractions import Fraction
 
-    from vibcli.language.reader import Expression
+    from vibcli.language.reader import Expression, Record
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
     from vibcli.scene.scene import Scene
@@ -44,7 +45,7 @@ def given(problem: "Problem", _: "Report") -> Iterator[Section]:
         if name in problem.spec.choices:
             continue
         if "value" in record or "about" in record:
-            items.append(Definition(_valued(problem, name, record, names), record.get("about", "")))
+            items.append(Definition(_valued(problem, name, record, names), _about(problem, record)))
         else:
             letters.append(maths(Name(name)))
     known = Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None
@@ -52,7 +53,7 @@ def given(problem: "Problem", _: "Report") -> Iterator[Section]:
     yield from section("Given", known, free, measured(problem))
 
 
-def _valued(problem, name, record, names):
+def _valued(problem: "Problem", name: str, record: "Record", names: frozenset[str]) -> tuple[Any, ...]:
     """`m = 3 kg`, in words but for a formula, whose number follows where its letters have some."""
     if "value" not in record:
         return (maths(Name(name)),)
@@ -64,7 +65,7 @@ def _valued(problem, name, record, names):
     return maths(Name(name), " = ", *told.parts), *number
 
 
-def _in_unit(value, dimension):
+def _in_unit(value: float, dimension: "Mapping[str, Fraction | int]") -> str:
     """A number and its SI unit, that of a pure one alone."""
     return with_unit(value, dimension) if dimension else figure(value)
 
@@ -85,7 +86,7 @@ def measured(problem: "Problem") -> Definitions | None:
     return Definitions(items) if items else None
 
 
-def _record(problem, name, samples):
+def _record(problem: "Problem", name: str, samples: Any) -> str:
     """A record in words: its samples, their span and the largest of them."""
     peak = max(samples.values, key=abs)
     found = f"{len(samples.times)} samples of {problem.spec.get('records')[name]['file'].text}, from " \
@@ -110,11 +111,16 @@ def coordinates(problem: "Problem", _: "Report") -> Iterator[Section]:
 def words_of(problem: "Problem", name: str) -> str:
     """What a coordinate is, in words; a unit that stands in their place tells nothing beside that of the coordinate."""
     record = problem.spec.coordinates.get(name)
-    about = record and record.get("about")
+    about = _about(problem, record or {})
     return (about if about not in units.UNITS else "") or _moves(problem).get(name) or _on_member(name)
 
 
-def _on_member(name):
+def _about(problem: "Problem", record: Any) -> str:
+    """What the file says about a parameter or coordinate, the names in it by their symbols."""
+    return with_symbols(record.get("about", ""), {*problem.spec.parameters, *problem.spec.coordinates})
+
+
+def _on_member(name: str) -> str:
     """A coordinate that a member brings, in words."""
     from vibcli.notation.plain import plain
     from vibcli.notation.typed_values import set_in_print
@@ -125,7 +131,7 @@ def _on_member(name):
     return f"{OF_MEMBERS[part.partition('.')[0]]} of {member} at {place}" if bracket else ""
 
 
-def _no_freedom(problem):
+def _no_freedom(problem: "Problem") -> list[Paragraph]:
     """Paragraphs on what holds a scene of statics, and whether rigid bodies alone fix its forces."""
     found = problem.symbolic.reactions
     kind = paragraph("none: all bodies are held, statically determinate")
@@ -141,7 +147,7 @@ def unit(dimension: "Mapping[str, Fraction | int]") -> str:
     return "rad" if dimension == {} else units.text(dimension)
 
 
-def _moves(problem):
+def _moves(problem: "Problem") -> dict[str, str]:
     """{coordinate: what it moves}, where the file does not say: the first body whose motion is that coordinate."""
     found = {}
     for body, record in (problem.spec.get("bodies") or {}).items():

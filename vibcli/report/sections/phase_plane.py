@@ -1,9 +1,9 @@
 """The phase plane of one degree of freedom: its equilibria by their kinds, and the motion from the start."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.report.blocks import Name, Section, TableBlock, Words, maths, paragraph, section
@@ -14,8 +14,12 @@ from vibcli.report.sections.parameters import unit
 from vibcli.report.sections.requested_signals import symbol
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.plots.figure import Figure
+    from vibcli.report.blocks import Paragraph
     from vibcli.report.document import Report
+    from vibcli.results.phase_plane import PhasePlane
     from vibcli.results.problem import Problem
 
 LINES = (("own", "from the initial state", False), ("separatrix", "separatrix", False),
@@ -43,7 +47,7 @@ def phase_plane(problem: "Problem", report: "Report") -> Iterator[Section]:
         yield from section("The motion from the initial state", *_own(plane, dimension))
 
 
-def _table(plane, of):
+def _table(plane: "PhasePlane", of: str) -> TableBlock:
     energies = plane.portrait.energies
     head = (maths(Name(plane.name), Words(f" [{of}]" * bool(of))), "", "λ [1/s]",
             *(("energy [J]",) if energies is not None else ()), "")
@@ -57,7 +61,7 @@ def _table(plane, of):
     return TableBlock(head, tuple(rows))
 
 
-def _eigenvalues(pair):
+def _eigenvalues(pair: Any) -> str:
     """`−0.3 ± 3.1 i`, or both."""
     if pair is None:
         return "–"
@@ -68,11 +72,11 @@ def _eigenvalues(pair):
     return f"{_signed(low.real)} {imaginary}" if low.real else imaginary
 
 
-def _signed(number):
+def _signed(number: float) -> str:
     return figure(number).replace("-", "−")
 
 
-def _own(plane, dimension):
+def _own(plane: "PhasePlane", dimension: "Mapping[str, Fraction | int]") -> "Iterator[Paragraph]":
     """Paragraphs on the motion from the start."""
     own = plane.own
     if own.turns is not None:
@@ -109,7 +113,7 @@ def plane_figure(problem: "Problem") -> "Figure":
                           plane.title)
 
 
-def _points(equilibria):
+def _points(equilibria: Iterable[Any]) -> list[list[tuple[float, str]]]:
     """[(names, places)] of each marker."""
     groups = {word: [] for word in MARKERS}
     for one in equilibria:
@@ -118,7 +122,7 @@ def _points(equilibria):
     return list(groups.values())
 
 
-def _found(problem):
+def _found(problem: "Problem") -> dict[str, Any]:
     plane = problem.phase_plane
     energies = plane.portrait.energies or [None] * len(plane.portrait.equilibria)
     rows = [(one.q, one.span, one.kind, one.eigenvalues and list(one.eigenvalues), one.degenerate, energy)

@@ -13,6 +13,7 @@ from vibcli.report.sections.requested_signals import dimension_of
 from vibcli.report.steps.asked import known
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
@@ -28,7 +29,7 @@ def prescribed(problem: "Problem", _: "Report") -> Iterator[Section]:
     yield from section("Motion in time (prescribed by what drives it)", equations(found))
 
 
-def _valued(problem, asked):
+def _valued(problem: "Problem", asked: "Expression") -> Words:
     """`x(t₁) = 3 mm`; an error where it has no value."""
     value = known(problem, asked)
     unit = unit_of(problem.spec, asked)

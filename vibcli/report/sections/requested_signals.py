@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import NoBound, NotFixed, PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
@@ -17,10 +17,13 @@ from vibcli.symbolic.syntax import NameRef, Sum
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from vibcli.base.errors import Where
     from vibcli.language.reader import Expression
     from vibcli.language.spec import Spec
     from vibcli.report.wanted import Wanted
     from vibcli.results.problem import Problem
+    from vibcli.results.response import Response
+    from vibcli.results.signal import Signal
 
 
 OF_THE_SCENE = re.compile(r"(?<![\w.])[^\W\d]\w*(?![\w.(\[])")     # names but those of elements and functions
@@ -30,7 +33,7 @@ class RequestedSignal(NamedTuple):
     """A signal that is asked for: its text, its tree, its dimension, and the Signal."""
 
     text: str
-    tree: tuple
+    tree: tuple[Any, ...]
     dimension: "Mapping[str, Fraction | int]"
     signal: Any
 
@@ -70,7 +73,8 @@ def trees_asked(problem: "Problem", word: str, given: "Sequence[Expression]" = (
     return [(text, tree) for text, tree, _ in _signals_asked(problem, word, given)]
 
 
-def _signals_asked(problem, word, given):
+def _signals_asked(problem: "Problem", word: str,
+                   given: "Sequence[Expression]") -> "list[tuple[str, NameRef | Sum, Where | None]]":
     """(text, tree, place in the file or None)"""
     if given:
         reader = Reader(members=problem.spec.members)
@@ -84,7 +88,7 @@ def _signals_asked(problem, word, given):
     return [(name, NameRef(0, len(name), name, 0), None) for name in _usual(problem)]
 
 
-def _usual(problem):
+def _usual(problem: "Problem") -> Any:
     """The names of the coordinates, of members those of their stations that are displacements or turns; where there is
     none, the middles of members."""
     spec = problem.spec
@@ -94,7 +98,7 @@ def _usual(problem):
     return [*spec.coordinates, *stations] or [_middle(problem, name) for name in spec.members]
 
 
-def _middle(problem, name):
+def _middle(problem: "Problem", name: str) -> str:
     from vibcli.notation.scene_language import language
 
     member = problem.scene.members[name]
@@ -108,7 +112,7 @@ def signals_asked(problem: "Problem", given: "Sequence[Expression]" = ()) -> lis
             for text, tree, where in _signals_asked(problem, RESPONSE, given)]
 
 
-def _kept(response, tree, where):
+def _kept(response: "Response", tree: NameRef | Sum, where: "Where | None") -> "Signal":
     try:
         return response.kept_signal(tree)
     except PhysicsError as error:
@@ -126,7 +130,7 @@ def extremes(asked: Any, until: Any) -> Any:
                     for sense in (1, -1))) for one in asked]
 
 
-def if_known(found: Callable, otherwise: Callable[[str], Any]) -> Any:
+def if_known(found: Callable[..., Any], otherwise: Callable[[str], Any]) -> Any:
     """What a function finds; else, of a word that says why statics alone does not fix it or no bound is known."""
     try:
         return found()
@@ -150,7 +154,7 @@ def curves_asked(problem: "Problem", wanted: "Wanted") -> Iterator[tuple[str, st
         yield text, driver, _ratio(*map(unit, map(problem.spec.dimensions.resolve, dimensions)))
 
 
-def _ratio(above, below):
+def _ratio(above: str, below: str) -> str:
     """The unit of a quotient, as the field writes it: m/N, (m/s)/N."""
     if above == below:
         return "1"
@@ -158,15 +162,15 @@ def _ratio(above, below):
     return f"{above}/{below}"
 
 
-def _input_asked(problem, given):
+def _input_asked(problem: "Problem", given: Any) -> str:
     """The name of the input: that given, that of `find`, else the first load, driven point or coordinate."""
     if given is not None:
         require_known(problem.spec, (), [given])
-        return given.text
+        return cast("str", given.text)
     find = problem.spec.get("find")
     record = find.about(FREQUENCY_RESPONSE) if find is not None else None
     if record is not None and "to" in record:
-        return record["to"].text
+        return cast("str", record["to"].text)
     known = inputs(problem.spec)
     if not known and not problem.spec.members:
         from vibcli.mechanics.system import nothing_moves

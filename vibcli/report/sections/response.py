@@ -1,9 +1,10 @@
 """The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import NoBound, NoDigit, NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
@@ -24,8 +25,12 @@ if TYPE_CHECKING:
     from vibcli.report.document import Report
     from vibcli.report.wanted import Wanted
     from vibcli.results.escalation import BoundedExtreme
+    from vibcli.results.full_response import FullResponse
     from vibcli.results.problem import Problem
+    from vibcli.results.response import Response
+    from vibcli.results.responses import SmallResponse
     from vibcli.results.signal import Signal
+    from vibcli.results.wave_response import WaveResponse
 
 MOST_LINES = 16         # of what drives a motion
 
@@ -72,7 +77,7 @@ def response(problem: "Problem", report: "Report") -> Iterator[Section]:
         raise missing
 
 
-def _in_letters(problem, wanted):
+def _in_letters(problem: "Problem", wanted: "Wanted") -> Iterator[Section]:
     from vibcli.report.sections.symbolic_response import response_in_letters
 
     if wanted.at:
@@ -81,7 +86,7 @@ def _in_letters(problem, wanted):
     yield from response_in_letters(problem, trees_asked(problem, RESPONSE, wanted.signals))
 
 
-def _by_waves(motion, asked):
+def _by_waves(motion: "WaveResponse", asked: list[RequestedSignal]) -> Iterator[Section]:
     from vibcli.report.sections.fronts import fronts
 
     yield from fronts(asked, motion.until)
@@ -111,7 +116,7 @@ def known_until(motion: Any, wanted: "Wanted") -> float:
     if motion.KIND != "full":
         return inf
     latest = _latest(motion, wanted)
-    return min(latest, motion.trajectory(latest).end)
+    return cast("float", min(latest, motion.trajectory(latest).end))
 
 
 def unknown(problem: "Problem", wanted: "Wanted") -> Unknown | None:
@@ -121,15 +126,16 @@ def unknown(problem: "Problem", wanted: "Wanted") -> Unknown | None:
     if not late:
         return None
     forces = any(getattr(one.signal, "forces", None) for one in signals_asked(problem, wanted.signals))
-    return (motion.trajectory() if forces else motion).unknown(_latest(motion, wanted))
+    return cast("Unknown | None", (motion.trajectory() if forces else motion).unknown(_latest(motion, wanted)))
 
 
-def _latest(motion, wanted):
+def _latest(motion: "FullResponse", wanted: "Wanted") -> float:
     """The last instant that is asked for [s]."""
     return max([motion.until, *(float(t) for _, t in wanted.at)])
 
 
-def _at_instants(problem, asked, wanted, known):
+def _at_instants(problem: "Problem", asked: Sequence[RequestedSignal], wanted: "Wanted",
+                 known: float) -> Iterator[Section]:
     """The values at the instants asked for, those up to `known`."""
     if wanted.at:
         until = 0.0 if at_instants_alone(problem.response, wanted) else min(known, problem.response.until)
@@ -166,19 +172,23 @@ def precise_text(value: "mpmath.mpf", digits: int) -> str:
     """A number with so many digits, as text."""
     import mpmath
 
-    return mpmath.nstr(value, digits, strip_zeros=False)
+    return cast("str", mpmath.nstr(value, digits, strip_zeros=False))
 
 
-def _kind(motion, asked):
+def _kind(motion: "Response", asked: Sequence[RequestedSignal]) -> str:
     """What kind of motion it is, and in which signals what modes left out add is only estimated."""
     estimated = [one for one in asked if motion.estimated and one.signal.is_estimated]
-    among = "" if len(estimated) == len(asked) else f" in {', '.join(one.text for one in estimated)}"
-    reasons = {one.signal.why_estimated for one in estimated}
-    why = f", {reasons.pop()}" if len(reasons) == 1 and "" not in reasons else ""
-    return f"{motion.words}; what those left out add is estimated{among}{why}" if estimated else motion.words
+    if not estimated:
+        return motion.words
+    told: dict[str, list[str]] = {}
+    for one in estimated:
+        told.setdefault(one.signal.why_estimated, []).append(one.text)
+    all_alike = len(told) == 1 and len(estimated) == len(asked)
+    parts = [("" if all_alike else f" in {', '.join(names)}") + (why and f", {why}") for why, names in told.items()]
+    return f"{motion.words}; what those left out add is estimated" + ";".join(parts)
 
 
-def _start(problem, motion, kind, drive):
+def _start(problem: "Problem", motion: "Response", kind: str, drive: Sequence[None]) -> Iterator[Section]:
     places, speeds = motion.start
     parts = []
     for name, value in places.items():
@@ -196,7 +206,7 @@ def _start(problem, motion, kind, drive):
     yield from section(f"Motion in time ({kind})", paragraph("from ", *(parts or ["rest"])), *drive)
 
 
-def _drive(problem, motion):
+def _drive(problem: "Problem", motion: "SmallResponse") -> list[Any]:
     """What stands on the right of M q̈ + C q̇ + K q = Q(t), and what of it the left side lacks."""
     if len(motion.drive) > MOST_LINES:
         return [paragraph(f"driven at {len(motion.drive)} coordinates")]
@@ -209,7 +219,7 @@ def _drive(problem, motion):
     return told
 
 
-def _extremes(asked, until, digits):
+def _extremes(asked: list[RequestedSignal], until: float, digits: int | None) -> Iterator[Section]:
     from vibcli.results.escalation import is_constant
 
     rows = []
@@ -226,25 +236,26 @@ def _extremes(asked, until, digits):
 
 def without_bound(one: RequestedSignal, until: float) -> str | None:
     """Why extremes of a signal up to an instant have no bound, and what helps; None where they have one."""
-    return next(filter(None, (_reason(lambda sense=sense: one.signal.bounded_extreme(0.0, until, sense))
-                              for sense in (1, -1))), None)
+    extreme = partial(one.signal.bounded_extreme, 0.0, until)
+    return next(filter(None, (_reason(partial(extreme, sense)) for sense in (1, -1))), None)
 
 
-def unknown_at(one: RequestedSignal, t: "Fraction") -> str | None:
+def unknown_at(one: RequestedSignal, t: "Fraction") -> Any:
     """Why the value of a signal at an instant is not known, and what helps; None where it is."""
     from vibcli.results.escalation import value_of_signal
 
     return _reason(lambda: value_of_signal(one.signal.read_at(float(t)), t))
 
 
-def _reason(found):
+def _reason(found: Callable[[], Any]) -> str | None:
     """Why nothing bounds what a function finds, or leaves it a digit; None where it finds it."""
     try:
         found()
     except NoBound as refusal:
         return f"{refusal.CELL}: {refusal.message}; {refusal.hint}"
     except PhysicsError:
-        return None
+        pass
+    return None
 
 
 def extreme_cells(signal: "Signal", found: "BoundedExtreme", until: float, sense: int,

@@ -1,8 +1,8 @@
 """Estimates of the lowest natural frequencies by assumed shapes."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import tau
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.normalisation import WORDS, normalised, weights
 from vibcli.notation.numbers import figure
@@ -12,6 +12,8 @@ from vibcli.report.sections.insight import grid, off, require_numbers
 from vibcli.report.sections.mode_tables import shapes
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.assumed_motions import RitzMode
+    from vibcli.report.blocks import Paragraph
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
@@ -41,26 +43,26 @@ def ritz(problem: "Problem", report: "Report") -> Iterator[Section]:
             [normalised(mode.shape, report.normalise, held) for mode in found.modes]), note(WORDS[report.normalise]))
 
 
-def _row(mode):
+def _row(mode: "RitzMode") -> tuple[str, str, str, str, str, str]:
     omega, exact = mode.omega, mode.exact
     known = (figure(omega), figure(omega / tau), figure(tau / omega) if omega else "∞") if omega is not None else (
         "–", "–", "–")
     return f"mode {mode.index}", *known, figure(exact), off(omega, exact) if omega and exact else ""
 
 
-def _scaled(weights):
+def _scaled(weights: Sequence[float]) -> list[float]:
     """Those of a combination, the first shape that takes part having 1."""
     first = next(x for x in weights if x)
     return [x / first for x in weights]
 
 
-def _quotient(found):
+def _quotient(found: Any) -> "list[Paragraph]":
     if found.modes[0].weights is not None:
         return [paragraph(f"K̂/M̂ = {figure(found.K[0][0])}/{figure(found.M[0][0])}, the square of the estimate.")]
     return [paragraph(f"φᵀKφ/φᵀMφ = {figure(found.K[0][0])}/{figure(found.M[0][0])}, the square of the estimate.")]
 
 
-def _remarks(modes):
+def _remarks(modes: "Sequence[RitzMode]") -> Iterator[str]:
     """What is known of the estimates."""
     if any(mode.exact is not None for mode in modes):
         yield ("It is an upper bound of ω of the first mode" if len(modes) == 1 else
@@ -73,7 +75,7 @@ def _remarks(modes):
         yield f"Mode {', '.join(hidden)} is unstable, which these shapes do not show."
 
 
-def _ritz(problem):
+def _ritz(problem: "Problem") -> dict[str, Any]:
     found = problem.modal.result("ritz")
     names = problem.scene.coordinates
     return KEY.row(found.shapes, found.M, found.K, [

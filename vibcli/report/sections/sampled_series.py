@@ -26,8 +26,8 @@ class SampledSignal(NamedTuple):
     unit: str
     times: Any
     values: Any
-    parts: dict
-    bounds: tuple | None = None
+    parts: dict[Any, Any]
+    bounds: tuple[Any, ...] | None = None
 
 
 class SampledCurve(NamedTuple):
@@ -38,8 +38,8 @@ class SampledCurve(NamedTuple):
     unit: str
     Omega: Any
     values: Any
-    peaks: list
-    antiresonances: list
+    peaks: list[Any]
+    antiresonances: list[Any]
 
 
 def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
@@ -56,7 +56,7 @@ def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
     return found
 
 
-def _bounds(problem, signal, times):
+def _bounds(problem: "Problem", signal: Any, times: "np.ndarray") -> Any:
     """(upper, lower) envelope of beats, and of a free vibration that dies out; None of others."""
     if not hasattr(signal, "output"):
         return None
@@ -122,7 +122,7 @@ def sampled_curves(problem: "Problem", wanted: "Wanted") -> list[SampledCurve]:
             for (name, driver, unit, curve), own in zip(asked, known, strict=True)]
 
 
-def _asked_end(problem, key):
+def _asked_end(problem: "Problem", key: str) -> Any:
     from vibcli.quantities.expression import number_of
     from vibcli.reader.sections.find import FREQUENCY_RESPONSE
 
@@ -155,7 +155,7 @@ def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist
     return frequency.of_frequency_response(Omega, values, kind, _unit(curves), peaks, dips, title=title)
 
 
-def _smooth(Omega, responses, found):
+def _smooth(Omega: Any, responses: Any, found: Any) -> tuple[Any, Any]:
     """Frequencies and values at which curves in the complex plane turn by little from one to the next."""
     import numpy as np
 
@@ -174,18 +174,18 @@ def _smooth(Omega, responses, found):
     return Omega, found
 
 
-def _factor(name):
+def _factor(name: str) -> str:
     """A name as it stands in a quotient: in brackets where it is more than one name."""
     return f"({name})" if any(sign in name for sign in " ·/") else name
 
 
-def _labels(curves):
+def _labels(curves: Sequence[SampledCurve]) -> list[str]:
     """What each curve is called: with its unit where not all have the same."""
     alike = len({curve.unit for curve in curves}) == 1
     return [symbol(curve.name) + ("" if alike or curve.unit == "1" else f" [{curve.unit}]") for curve in curves]
 
 
-def _unit(curves):
+def _unit(curves: Sequence[SampledCurve]) -> str:
     """The unit that all curves have; none of a ratio of like quantities."""
     units = {curve.unit for curve in curves}
     return units.pop() if len(units) == 1 and units != {"1"} else ""

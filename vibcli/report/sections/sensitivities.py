@@ -1,7 +1,7 @@
 """Derivatives of frequencies and damping by the parameters."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.notation.numbers import figure
@@ -10,6 +10,7 @@ from vibcli.report.keys import Key
 from vibcli.report.sections.insight import grid, numbered, require_numbers, without_end
 
 if TYPE_CHECKING:
+    from vibcli.report.blocks import Maths
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
 
@@ -45,16 +46,16 @@ def logarithmic(value: float, rate: float, omega: float) -> float:
     return None if rate is None else value * rate / omega
 
 
-def _with_unit(problem, name):
+def _with_unit(problem: "Problem", name: str) -> "Maths":
     unit = units.text(problem.spec.dimensions.of(name))
     return maths(Name(name), *[Words(f" [{unit}]")] * bool(unit))
 
 
-def _rate(value):
+def _rate(value: float | None) -> str:
     return "–" if value is None else figure(value, digits=5)
 
 
-def _remarks(found):
+def _remarks(found: Any) -> Iterator[str]:
     """What has to be said of a table of sensitivities."""
     if not found.values:
         yield "There are no sensitivities: no number of this scene has a name under `parameters`."
@@ -70,7 +71,7 @@ def _remarks(found):
         yield found.remark[0].upper() + found.remark[1:] + "."
 
 
-def _sensitivities(problem):
+def _sensitivities(problem: "Problem") -> Any:
     if not problem.modal.modes.finite:
         return None
     found = problem.modal.result("sensitivities")

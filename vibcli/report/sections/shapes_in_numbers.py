@@ -50,7 +50,7 @@ def shape_in_numbers(problem: "Problem", mode: "Mode", normalise: str,
             for member in members}
 
 
-def _joined(told):
+def _joined(told: "Sequence[tuple[Moved, str]]") -> list[tuple[float, float, str]]:
     """[(start, end, text)] of stretches, those next to one another together that are one function."""
     found: list[tuple[float, float, str]] = []
     for moved, text in told:
@@ -68,7 +68,7 @@ def _is_plain(moved: "Moved") -> bool:
     return bool(plain and not any(getattr(end, "imag", 0) for end in moved.ends))
 
 
-def _told(moved, factor):
+def _told(moved: "Moved", factor: float) -> str:
     """The sum, x from the left end of the member."""
     import numpy as np
 
@@ -77,7 +77,7 @@ def _told(moved, factor):
     left, right, middle = start, start + length, start + length / 2
     bent = piece.order == 4
 
-    def row(x, slope):
+    def row(x: float, slope: int) -> "list[float]":
         swings = [-k * np.sin(k * x), k * np.cos(k * x)] if slope else [np.cos(k * x), np.sin(k * x)]
         y = k * (x - middle)
         return [*swings, *([k * np.sinh(y), k * np.cosh(y)] if slope else [np.cosh(y), np.sinh(y)])][:piece.order]

@@ -1,7 +1,7 @@
 """Shares of the elements in the energy of the modes."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import figure, with_minus
 from vibcli.report.blocks import Section, paragraph
@@ -32,11 +32,11 @@ def shares(problem: "Problem", _: "Report") -> Iterator[Section]:
                          [(_damped_head(mode), column) for mode, column in found.dissipation if column], _per_cent)
 
 
-def _per_cent(share):
+def _per_cent(share: float | None) -> str:
     return "–" if share is None else figure(0.0 if abs(100 * share) < NOTHING else 100 * share, digits=4)
 
 
-def _damped_head(mode):
+def _damped_head(mode: Any) -> str:
     """`mode 2`, with the eigenvalue where it is one of several real ones of the mode."""
     real = not mode.eigenvalue.imag
     return f"mode {mode.index}" + (f" (λ = {with_minus(float(mode.eigenvalue.real), 4)})" if real else "")

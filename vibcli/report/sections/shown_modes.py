@@ -1,7 +1,7 @@
 """The modes that are printed: those that the command or the file asks for, else all, or the first of those without
 end."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.analyses.modal.mode_sequence import Selection
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.modal.damped_modes import DampedMode
     from vibcli.analyses.modal.mode_sequence import Modes
     from vibcli.analyses.modal.undamped import Mode
+    from vibcli.language.reader import Record
     from vibcli.results.problem import Problem
 
 UNASKED = 5         # frequencies of a member in letters where nobody says how many
@@ -36,13 +37,13 @@ def selection(problem: "Problem", wanted: Wanted | None = None) -> Selection | N
     return Selection(last=numbers) if isinstance(numbers, int) else Selection(*numbers)
 
 
-def _written(problem):
+def _written(problem: "Problem") -> "Record | None":
     """The Record of the modes that the file asks for, or None."""
     find = problem.spec.get("find")
-    return find.about(MODES) if find is not None else None
+    return cast("Record | None", find.about(MODES) if find is not None else None)
 
 
-def _highest(problem, asked):
+def _highest(problem: "Problem", asked: Any) -> Any:
     """The angular frequency up to which modes are asked for."""
     from vibcli.quantities.expression import number_of
 
@@ -75,7 +76,7 @@ def shown(problem: "Problem", wanted: Wanted | None = None, modes: "Modes | None
         raise (refusal.told(record["up_to"].where) if written else refusal) from None
 
 
-def _none(modes, asked):
+def _none(modes: Any, asked: Any) -> PhysicsError:
     if asked.up_to is None:
         from vibcli.quantities.quantity import counted
 

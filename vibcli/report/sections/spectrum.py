@@ -1,6 +1,6 @@
 """Natural frequencies, damping and mode shapes."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.analyses.modal.normalisation import words
@@ -11,7 +11,12 @@ from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repe
 from vibcli.report.sections.shown_modes import in_letters, shown, shown_damped
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.mode_sequence import Modes
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.report.blocks import Equations, Paragraph
     from vibcli.report.document import Report
+    from vibcli.report.own_letters import OwnLetters
     from vibcli.results.problem import Problem
 
 OF_DAMPED = "with the eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay −Re λ = ζω, logarithmic decrement 2πζ/√(1−ζ²)"
@@ -47,7 +52,7 @@ def frequencies(problem: "Problem", report: "Report") -> Iterator[Section]:
                        _counted(problem, found), *doubts)
 
 
-def _doubts(problem):
+def _doubts(problem: "Problem") -> list[str]:
     """What makes the theory of members doubtful, where no equilibrium is told that says it."""
     if not problem.scene.members:
         return []
@@ -56,13 +61,13 @@ def _doubts(problem):
     return member_warnings(problem.configuration)
 
 
-def _letters(problem):
+def _letters(problem: "Problem") -> "OwnLetters":
     from vibcli.report.own_letters import own_letters
 
     return own_letters(problem.scene)
 
 
-def _counted(problem, found):
+def _counted(problem: "Problem", found: "Sequence[Mode]") -> "Paragraph | None":
     """The proof that none is missing: the count just above the last frequency."""
     from vibcli.notation.names import lowered
 
@@ -80,7 +85,8 @@ def _counted(problem, found):
     return paragraph(f"{counted} just above {frequencies}: none is missing")
 
 
-def _of_members(problem, found, head, rows, doubts):
+def _of_members(problem: "Problem", found: "list[Mode]", head: tuple[str, str, str, str, str, str],
+                rows: Sequence[tuple[str, ...]], doubts: "Sequence[Paragraph]") -> Iterator[Section]:
     """The table of those without end, with wave numbers and the count that proves it complete."""
     from vibcli.report.sections.wave_numbers import wave_numbers
 
@@ -92,7 +98,7 @@ def _of_members(problem, found, head, rows, doubts):
                        _counted(problem, found), *doubts)
 
 
-def _form(problem):
+def _form(problem: "Problem") -> "Equations | None":
     """The closed form of the frequency of one degree of freedom, if it is readable."""
     if len(problem.scene.coordinates) == 1 and problem.symbolic.linearisable and problem.modal.modes[0].omega:
         form = problem.closed_forms
@@ -101,7 +107,7 @@ def _form(problem):
     return None
 
 
-def _frequencies_in_letters(problem, report):
+def _frequencies_in_letters(problem: "Problem", report: "Report") -> Iterator[Section]:
     from vibcli.notation.names import lowered
     from vibcli.report.own_letters import of_oscillators
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
@@ -155,11 +161,12 @@ def damping(problem: "Problem", report: "Report") -> Iterator[Section]:
             OF_DAMPED + OF_OVERDAMPED * any(one.zeta is not None and one.zeta > 1 for one in found))))
 
 
-def _damps(problem):
+def _damps(problem: "Problem") -> bool:
     return problem.modal.damps if problem.modal.many else problem.modal.damped is not None
 
 
-def _proved(modes, found, in_letters):
+def _proved(modes: "Modes", found: "list[DampedMode]",
+            in_letters: Callable[[str], str] | type[str]) -> "Paragraph | None":
     """What the argument principle counts; None where the modes are a list."""
     region = modes.proof(found)
     if region is None:
@@ -173,7 +180,7 @@ def _proved(modes, found, in_letters):
     return paragraph(f"{told}, by the argument principle: none is missing{rest}")
 
 
-def _none_comes_back(problem):
+def _none_comes_back(problem: "Problem") -> str | None:
     """Why there is no damped mode, or none but one at rest; None where that is not so."""
     from vibcli.analyses.continuous.matched_damper import dies_after
 
@@ -215,14 +222,15 @@ def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
                            only_complex=True)
 
 
-def _of_one(problem):
+def _of_one(problem: "Problem") -> Iterator[Section]:
     """What is said where shapes are asked of one coordinate, or of what is driven alone, which has no frequency."""
     if not problem.scene.coordinates:
         raise problem.symbolic.equations.refusal
     yield from section("Mode shapes", paragraph("of one coordinate there is one mode, in which it moves by itself"))
 
 
-def _shapes(problem, report, modes, title, normalised, only_complex=False):
+def _shapes(problem: "Problem", report: "Report", modes: "Sequence[DampedMode | Mode]", title: str, normalised: str,
+            only_complex: bool = False) -> Iterator[Section]:
     names = problem.scene.coordinates
     found = [problem.modal.shape(mode, report.normalise) for mode in modes[:shapes_told(len(modes))]]
     out_of_phase = any(abs(complex(value).imag) > 1e-9 * abs(value) for shape in found for value in shape)

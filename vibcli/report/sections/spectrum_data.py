@@ -1,5 +1,6 @@
 """Natural frequencies, damping and mode shapes as plain data with the documented keys of --json."""
 
+from collections.abc import Sequence
 from math import tau
 from typing import TYPE_CHECKING, Any
 
@@ -8,6 +9,8 @@ from vibcli.report.sections.equilibrium import EQUILIBRIUM
 from vibcli.report.sections.shown_modes import in_letters, shown, shown_damped
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.undamped import Mode
     from vibcli.report.wanted import Wanted
     from vibcli.results.problem import Problem
 
@@ -61,7 +64,8 @@ def frequencies_data(problem: "Problem", normalise: str = "first",
     return found if problem.modal.modes.finite else _with_counts(problem, found, still, normalise)
 
 
-def _to_digits(problem, normalise, digits, wanted):
+def _to_digits(problem: "Problem", normalise: str, digits: int,
+               wanted: "Wanted") -> "tuple[Sequence[Mode], dict[str, Any]]":
     """(the modes shown, {modes, damped}) to so many digits."""
     import mpmath
 
@@ -72,7 +76,7 @@ def _to_digits(problem, normalise, digits, wanted):
         return still, data((MODES, DAMPED_MODES), modes, digits)
 
 
-def _with_counts(problem, found, modes, normalise):
+def _with_counts(problem: "Problem", found: dict[str, Any], modes: "Sequence[Mode]", normalise: str) -> dict[str, Any]:
     """The same with the shapes of members and the count that proves the modes complete."""
     rows = found["modes"]
     if problem.scene.pieces:
@@ -84,9 +88,10 @@ def _with_counts(problem, found, modes, normalise):
     return found | {"matrices": None, "modes": rows, "count": count}
 
 
-def _modes(problem, modes, damped, normalise, turn):
+def _modes(problem: "Problem", modes: "Sequence[Mode]", damped: "Sequence[DampedMode] | None", normalise: str,
+           turn: float) -> Any:
     """{modes, damped} in numbers."""
-    def shape(mode):
+    def shape(mode: Any) -> "dict[str, Any]":
         return dict(zip(problem.scene.coordinates, problem.modal.shape(mode, normalise), strict=True))
 
     return {"modes": [MODES.row(
@@ -97,7 +102,7 @@ def _modes(problem, modes, damped, normalise, turn):
             mode.decay, mode.growth_rate, shape(mode), float(mode.error)) for mode in damped]}
 
 
-def _closed_forms(problem, wanted):
+def _closed_forms(problem: "Problem", wanted: "Wanted | None") -> dict[str, Any]:
     """{modes, damped, characteristic_polynomial where there is one} in letters; None where no form is readable."""
     from vibcli.notation.scene_language import language
 
@@ -114,7 +119,7 @@ def _closed_forms(problem, wanted):
             damped.append(DAMPED_MODES.row(
                 mode.index, None, mode.omega, mode.zeta, mode.omega_d, f"{language(mode.zeta)} < 1",
                 mode.zeta * mode.omega, None, shape, 0.0))
-    found = {"modes": modes, "damped": damped or None}
+    found: dict[str, Any] = {"modes": modes, "damped": damped or None}
     if forms.polynomials:
         square = table.parameter("omega") ** 2
         found[POLYNOMIAL.name] = [table.sum(*((c * square ** i, 1) for i, c in enumerate(reversed(polynomial))))

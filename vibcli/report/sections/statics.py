@@ -54,7 +54,7 @@ def virtual_work(problem: "Problem", report: "Report") -> Iterator[Section]:
                        note(f"of weights, springs and steady loads{driven}"))
 
 
-def _balanced(problem):
+def _balanced(problem: "Problem") -> bool:
     """Is there an equilibrium, as far as is known?"""
     try:
         if problem.numeric.has_free_symbols:
@@ -68,7 +68,7 @@ def _balanced(problem):
     return True
 
 
-def _unit(problem, signal):
+def _unit(problem: "Problem", signal: str) -> str:
     """N, or N·m of a moment."""
     from vibcli.base.units import FORCE
     from vibcli.language.signals import signal_dimension
@@ -104,7 +104,7 @@ def reactions(problem: "Problem", report: "Report") -> Iterator[Section]:
             *with_lengths(lengths))
 
 
-def _balanced_as_drawn(problem):
+def _balanced_as_drawn(problem: "Problem") -> bool:
     """Is the drawn position the equilibrium, as far as is known in letters?"""
     try:
         problem.symbolic.reactions  # noqa: B018
@@ -113,7 +113,7 @@ def _balanced_as_drawn(problem):
     return True
 
 
-def _in_letters(problem, report):
+def _in_letters(problem: "Problem", report: "Report") -> list[Any]:
     """Blocks of the reactions as expressions."""
     known = {signal: node for signal, node in problem.symbolic.reactions.values.items()
              if node is None or not node.is_zero}
@@ -128,14 +128,14 @@ def _in_letters(problem, report):
     return [blocks.equations(lines), *with_lengths(lengths)]
 
 
-def _guided(problem, known):
+def _guided(problem: "Problem", known: Mapping[str, Any]) -> "Iterator[tuple[str, tuple[Node, Node]]]":
     """(name, normal in equilibrium) of each body on a surface or guide that takes part along both axes."""
     for name, body in problem.scene.resting.bodies.items():
         if body.normal is not None and all(known.get(f"{name}.reaction.{axis}") for axis in "xy"):
             yield name, body.normal
 
 
-def _normals(problem):
+def _normals(problem: "Problem") -> list[Any]:
     """(B.normal, its value)"""
     from vibcli.mechanics.signals import force
 
@@ -155,7 +155,7 @@ def normals_in_letters(problem: "Problem", forces: "Mapping[str, Node | None]", 
         yield f"{name}.normal", textbook(nx * x + ny * y)
 
 
-def _conditions(problem, report):
+def _conditions(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The conditions of equilibrium: the virtual work of each coordinate, its constraints let go, and what follows for
     the supports."""
     found = problem.symbolic.reactions
@@ -175,7 +175,7 @@ def _conditions(problem, report):
                        paragraph("with ", *told, hang=4, aside=True) if told else None)
 
 
-def condition_in_numbers(problem: "Problem", found: Any, node: "Node") -> list:
+def condition_in_numbers(problem: "Problem", found: Any, node: "Node") -> "list[tuple[float, Node]]":
     """[(coefficient, symbol)] of a condition, which is linear in the forces of constraints; the constant last."""
     table, floats = node.table, problem.numeric.floats
     slopes = gradient(node)
@@ -189,7 +189,7 @@ def condition_in_numbers(problem: "Problem", found: Any, node: "Node") -> list:
     return row + [(rest, table.one)] * (abs(rest) > ROUNDING * size)
 
 
-def _values(problem):
+def _values(problem: "Problem") -> Mapping[str, Any]:
     if problem.numeric.has_free_symbols:
         return problem.symbolic.reactions.values
     return {reaction.signal: reaction.value for reaction in problem.configuration.reactions}

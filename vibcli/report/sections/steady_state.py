@@ -12,6 +12,7 @@ from vibcli.report.blocks import Section, TableBlock, paragraph, section
 from vibcli.report.sections.formulas import sum_of
 
 if TYPE_CHECKING:
+    from vibcli.report.blocks import Paragraph
     from vibcli.report.sections.requested_signals import RequestedSignal
     from vibcli.results.signals import LinearSignal
 
@@ -42,7 +43,7 @@ def steady_state(asked: "Sequence[RequestedSignal]", convention: Any) -> Iterato
         *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)), _still(asked, rows))
 
 
-def _driven_off(signal):
+def _driven_off(signal: "LinearSignal") -> Iterator[str]:
     """Why a signal has no steady state though others have."""
     if hasattr(signal, "output"):
         steady = signal.motion.steady
@@ -52,7 +53,7 @@ def _driven_off(signal):
             yield error.message
 
 
-def _following(signal):
+def _following(signal: "LinearSignal") -> Iterator[str]:
     """Σ cₖ tᵏ of a signal that grows with its loads, and the waves beside it, as text."""
     from vibcli.analyses.transient.textbook_form import Part
 
@@ -65,13 +66,13 @@ def _following(signal):
         yield sum_of(parts + [Part(abs(X), 0, 0.0, Omega, -cmath.phase(X), True) for Omega, X in waves], "t")
 
 
-def _still(asked, rows):
+def _still(asked: "Sequence[RequestedSignal]", rows: tuple[tuple[str, ...], ...]) -> "Paragraph | None":
     """Which signals do not vibrate where others do."""
     still = [one.label for one in asked if hasattr(one.signal, "output") and not harmonics_of(one.signal)]
     return paragraph(f"without vibration: {', '.join(still)}") if rows and still else None
 
 
-def _left_out(signal):
+def _left_out(signal: "LinearSignal") -> Iterator[str]:
     """What the harmonics beyond those listed add to a periodic steady state."""
     if not hasattr(signal, "output") or signal.motion.steady.period is None:
         return
@@ -91,7 +92,7 @@ def phase_in(convention: str, X: complex) -> float:
     return wrapped(sign * (-cmath.phase(X) + turn * math.tau))
 
 
-def harmonics_of(signal: "LinearSignal") -> list[tuple[float, complex, float]]:
+def harmonics_of(signal: Any) -> list[tuple[float, complex, float]]:
     """[(Ω, X, |δX|)] of the steady state: all of finitely many, the first of a periodic one; none of products of
     signals."""
     from vibcli.results import feature_errors

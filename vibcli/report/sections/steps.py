@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.report import blocks
 from vibcli.report.blocks import Section, Words, line, paragraph, section
@@ -25,7 +25,7 @@ def steps(problem: "Problem", _: "Report") -> Iterator[Section]:
     yield from section_of(worked(problem))
 
 
-def _has_bare_numbers(found):
+def _has_bare_numbers(found: "Sequence[WorkedLine]") -> bool:
     """Do numbers stand beside letters whose units are not told, those of letters that they are put in for?"""
     from vibcli.notation.plain import plain
     from vibcli.report.formats.formula import formula
@@ -37,7 +37,7 @@ def _has_bare_numbers(found):
 
 def section_of(found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
     """The lines of a scene as a section, and below them what numbers without units are in."""
-    told: dict = {}
+    told: dict[Any, Any] = {}
     for one in found:
         if one.number not in told:
             told[one.number] = one.parts
@@ -49,7 +49,7 @@ def section_of(found: "Sequence[WorkedLine]") -> tuple[Section, ...]:
     return section("Steps", lines, paragraph(SI) if _has_bare_numbers(found) else None)
 
 
-def _data(problem):
+def _data(problem: "Problem") -> list[dict[str, Any]]:
     from vibcli.notation.latex import in_one_line
     from vibcli.notation.plain import plain
     from vibcli.notation.scene_language import language

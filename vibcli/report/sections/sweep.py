@@ -13,6 +13,7 @@ from vibcli.report.sections.requested_signals import symbol
 if TYPE_CHECKING:
     import numpy as np
 
+    from vibcli.language.reader import Expression
     from vibcli.quantities.sweep import Gap, Sweep, SweptAxis
     from vibcli.report.document import Report
     from vibcli.results.problem import Problem
@@ -34,7 +35,7 @@ def sweep(problem: "Problem", report: "Report") -> Iterator[Section]:
     yield from section("What has to be said of these values", *words)
 
 
-def _range(axis):
+def _range(axis: "SweptAxis") -> str:
     return f"{symbol(axis.name)} from {told(axis, axis.shown[0])} to {told(axis, axis.shown[-1])}"
 
 
@@ -48,7 +49,7 @@ def unit_told(axis: "SweptAxis") -> str:
     return axis.unit.replace("*", "·").replace("^2", "²").replace("^3", "³")
 
 
-def _in(unit):
+def _in(unit: str) -> str:
     return f" [{unit}]" if unit not in ("", "1") else ""
 
 
@@ -57,7 +58,7 @@ def labels(found: "Sweep") -> list[str]:
     return [_label(one) for one in found.asked]
 
 
-def _label(expression):
+def _label(expression: "Expression") -> str:
     """A quantity or an expression of some as it is printed: ω₁ of omega[1], f₁ of frequency[1], L·φ̇."""
     tree = expression.tree
     head = SYMBOLS.get(getattr(tree, "head", ""))
@@ -66,7 +67,7 @@ def _label(expression):
     return head + str(tree.indices[0]).translate(SUBSCRIPTS)
 
 
-def _table(found):
+def _table(found: "Sweep") -> TableBlock:
     axis, changed = found.axes[0], branches_change(found)
     head: list[Any] = [maths(Name(axis.name), *[Words(f" [{unit_told(axis)}]")] * bool(axis.unit))]
     columns = [[figure(value) for value in axis.shown]]
@@ -84,7 +85,7 @@ def branches_change(found: "Sweep") -> bool:
     return found.branches is not None and any(one.crosses for one in found.branches.meetings)
 
 
-def _grid(found, values):
+def _grid(found: "Sweep", values: "np.ndarray") -> TableBlock:
     down, across = found.axes
     shown = sorted({round(k * (len(across.values) - 1) / (SHOWN_COLUMNS - 1)) for k in range(SHOWN_COLUMNS)})
     head = (maths(Name(down.name), *[Words(f" [{unit_told(down)}]")] * bool(down.unit)),
@@ -94,7 +95,7 @@ def _grid(found, values):
     return TableBlock(head, tuple(rows))
 
 
-def _meetings(found):
+def _meetings(found: "Sweep") -> Iterator[str]:
     """Where branches cross or veer, in words."""
     if found.branches is None:
         return
@@ -109,14 +110,14 @@ def _meetings(found):
                    f"{figure(100 * one.gap, digits=3)} %, and each takes the other's shape.")
 
 
-def _gaps(found):
+def _gaps(found: "Sweep") -> Iterator[str]:
     """Why there are no values, and where."""
     for gap in found.gaps:
         texts = [text for text, one in zip(labels(found), found.asked, strict=True) if one.text in gap.texts]
         yield f"{listed(texts)}: no value {_where(found, gap)}: {gap.reason}."
 
 
-def _mode_counts(found):
+def _mode_counts(found: "Sweep") -> Iterator[str]:
     """Where the number of natural modes changes, as where one that turns comes to rest."""
     known = [one for one in found.mode_counts if one.number]
     for k, one in enumerate(known[1:], 1):
@@ -127,7 +128,7 @@ def _mode_counts(found):
                    "before: they are numbered anew, rigid ones first, and curves break.")
 
 
-def _where(found, gap: "Gap"):
+def _where(found: "Sweep", gap: "Gap") -> str:
     if len(found.axes) > 1:
         return f"at {len(gap.places)} of {found.columns[0].size} places"
     axis, numbers = found.axes[0], [place[0] for place in gap.places]
@@ -141,7 +142,7 @@ def _where(found, gap: "Gap"):
         for a, b in runs])
 
 
-def _stopped(found):
+def _stopped(found: "Sweep") -> Iterator[str]:
     if found.problem.work.interrupted:
         yield f"Interrupted: {found.done} of {found.columns[0].size} values were found."
 
@@ -159,9 +160,9 @@ def sweep_columns(found: "Sweep") -> "list[tuple[str, str, np.ndarray]]":
     return [(name, unit, values[:found.done]) for name, unit, values in columns]
 
 
-def sweep_data(found: "Sweep") -> dict:
+def sweep_data(found: "Sweep") -> dict[str, Any]:
     """The sweep with the keys of --json."""
-    def listed_values(values):
+    def listed_values(values: "np.ndarray") -> "list[Any]":
         return [None if x != x else x for x in values.ravel().tolist()]
 
     over = [{"name": axis.name, "unit": axis.unit, "values": list(axis.shown)} for axis in found.axes]

@@ -1,7 +1,8 @@
 """Quantities over one or two parameters as a figure: curves, contours, the lines of a Campbell diagram."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -23,7 +24,7 @@ def sweep_figure(found: Sweep) -> Figure:
     return Figure(found.problem.spec.get("title") or "", tuple(panels))
 
 
-def _panels(found):
+def _panels(found: Sweep) -> Iterator[Panel]:
     axis, groups = found.axes[0], {}
     for number, unit in enumerate(found.units):
         groups.setdefault(unit, []).append(number)
@@ -35,12 +36,12 @@ def _panels(found):
                     curves=(*_engine_orders(found, unit, numbers), *curves), x_range=(axis.shown[0], axis.shown[-1]))
 
 
-def _over_decades(values):
+def _over_decades(values: Sequence[float]) -> bool:
     """Are all positive, and the largest more than ten times the smallest?"""
     return bool(values) and 0 < 10 * min(values) < max(values)
 
 
-def _curves(found, number, together):
+def _curves(found: Sweep, number: int, together: Sequence[int]) -> list[Curve]:
     """The curve of a quantity; of natural modes that belong to branches, that of the branch of its number."""
     text, expression, x = labels(found)[number], found.asked[number], found.axes[0].shown
     breaks = [one.first for one in found.mode_counts if one.first] if found.numbered(expression) is not None else []
@@ -53,19 +54,19 @@ def _curves(found, number, together):
     return [Curve(f"{text.rstrip('₀₁₂₃₄₅₆₇₈₉')}, branch {branch}", *_broken(x, y, breaks))]
 
 
-def _broken(x, y, places):
+def _broken(x: Any, y: Any, places: Sequence[int]) -> tuple[Any, Any]:
     """(x, y) of a curve with a gap before each of these places."""
     for k in reversed(places):
         x, y = (*x[:k], x[k], *x[k:]), (*y[:k], math.nan, *y[k:])
     return tuple(x), tuple(y)
 
 
-def _of_branch(found, numbers, branch, k):
+def _of_branch(found: Sweep, numbers: Sequence[int], branch: Any, k: int) -> float:
     return next((float(found.columns[n][k]) for n in numbers if found.branch(found.asked[n])[k] == branch),
                 float("nan"))
 
 
-def _engine_orders(found, unit, numbers):
+def _engine_orders(found: Sweep, unit: str, numbers: Sequence[int]) -> list[Curve]:
     """The lines ω = Ω and 2Ω of a Campbell diagram, where a rate is swept over."""
     axis = found.axes[0]
     rate = found.problem.spec.dimensions.of(axis.name) == units.RATE
@@ -82,7 +83,7 @@ def _engine_orders(found, unit, numbers):
     return lines
 
 
-def _contours(found):
+def _contours(found: Sweep) -> Iterator[Panel]:
     """Lines of one value each over two parameters."""
     from contourpy import contour_generator
 

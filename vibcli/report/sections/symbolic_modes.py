@@ -1,7 +1,7 @@
 """Equilibrium, frequencies, damping and mode shapes in letters."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.work import longer
 from vibcli.notation.names import lowered
@@ -26,7 +26,8 @@ from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
-    from vibcli.analyses.closed_form.closed_forms import ClosedForms
+    from vibcli.analyses.closed_form.closed_forms import ClosedForms, ClosedMode
+    from vibcli.report.blocks import Line
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -44,7 +45,7 @@ def equilibrium_parts(values: "Mapping[str, Node]") -> tuple[str | Maths, ...]:
     return *separated(maths(Name(name), " = ", node) for name, node in values.items()), *where
 
 
-def _limit(part):
+def _limit(part: "Node") -> "tuple[Node, str, Node] | None":
     """Parts of A < B of acos(A/B) and asin(A/B), unless A holds a difference."""
     if part.op != "call" or part.name not in ("acos", "asin") or part.args[0].op != "product":
         return None
@@ -83,7 +84,7 @@ def no_form(problem: "Problem") -> str:
     return NONE
 
 
-def _modes(modes):
+def _modes(modes: "Sequence[ClosedMode]") -> "Iterator[Line]":
     """A line a frequency: equal ones together, and the two roots of a long quadratic equation."""
     done = set()
     for mode in modes:
@@ -95,14 +96,14 @@ def _modes(modes):
             done |= {other.index for other in (twin if both else same)}
 
 
-def _of_one(mode, same):
+def _of_one(mode: "ClosedMode", same: "Sequence[ClosedMode]") -> "Line":
     if mode.unstable:
         return line(Words(f"mode {mode.index} is unstable: it grows as "), "exp(s·t), s = ", mode.omega)
     shown = mode.omega if mode.short else Words(LONG)
     return line("".join(f"ω{lowered(other.index)} = " for other in same), shown)
 
 
-def _of_two(twin):
+def _of_two(twin: "Sequence[ClosedMode]") -> "Line | None":
     """ω₁,₂² = (B ∓ √D)/A, or the quadratic equation where that is long; None where D is a number or a root unstable."""
     from vibcli.analyses.closed_form.closed_forms import LONGEST
 
@@ -119,7 +120,7 @@ def _of_two(twin):
                 _polynomial(pair.equation()), " = 0")
 
 
-def _equation(coefficients):
+def _equation(coefficients: Sequence[Any]) -> "Line":
     """A polynomial = 0, or its degree where it is too long to read."""
     from vibcli.analyses.closed_form.closed_forms import LONGEST
 
@@ -128,7 +129,7 @@ def _equation(coefficients):
     return line(_polynomial(coefficients), " = 0")
 
 
-def _polynomial(coefficients):
+def _polynomial(coefficients: Sequence[Any]) -> SumOfTerms:
     """Σ c λ^i with the highest power first."""
     symbol, degree = coefficients[0].table.variable("λ"), len(coefficients) - 1
     return SumOfTerms(tuple(c * symbol ** (degree - i) if degree > i else c for i, c in enumerate(coefficients)
@@ -157,13 +158,13 @@ def damping_blocks(forms: "ClosedForms") -> Iterator[Equations | Paragraph]:
     yield paragraph("over-damped, ", maths("ζ > 1"), ":  decay rates ", maths("ω·(ζ ∓ √(ζ² − 1))"), hang=None)
 
 
-def _critical(forms):
+def _critical(forms: "ClosedForms") -> "Iterator[Line]":
     if forms.critical is not None:
         letter, value = forms.critical
         yield line(Words("critical damping, "), "ζ = 1", Words(":  "), letter, " = ", value, hang=None)
 
 
-def _ratios(damped):
+def _ratios(damped: "Sequence[ClosedMode]") -> "Iterator[Line]":
     """ζ of each mode, as a function of ω where that is shorter."""
     done = set()
     for mode in damped:
@@ -201,5 +202,5 @@ def turned(value: "Node") -> tuple[str | Factor, ...]:
     return (f"{sign}i",) if value.op == "number" and value.coefficient == 1 else (f"{sign}i·", Factor(value))
 
 
-def _with(modes):
+def _with(modes: "Sequence[ClosedMode]") -> tuple[Words, str]:
     return Words("   with "), "ω = " + ", ".join(f"ω{lowered(mode.index)}" for mode in modes)

@@ -1,8 +1,8 @@
 """The motion in time in letters: the steady state of one harmonic, and of one degree of freedom all of it."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain, count
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import (
@@ -31,9 +31,11 @@ from vibcli.symbolic.syntax import NameRef
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.free_response import FreeMotion
     from vibcli.analyses.closed_form.frequency_response import Formula
     from vibcli.mechanics.symbolic_linear import Tree
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 LETTERS = {"X": ("X", "Z", "R"), "theta": ("theta", "psi", "epsilon"), "omega": ("omega", "omega_0"),
            "r": ("r", "eta", "nu"), "zeta": ("zeta", "xi"),
@@ -71,7 +73,8 @@ def response_in_letters(problem: "Problem", asked: "Iterable[tuple[str, Tree]]")
         raise NotInLetters("free motions in letters are found for one degree of freedom", "give numbers with --set")
 
 
-def _followed(problem, trees, growing):
+def _followed(problem: "Problem", trees: Mapping[str, Any],
+              growing: bool) -> tuple[dict[str, Any], list[tuple[str, str]]]:
     """({text: what a signal follows or keeps up}, [(text, why another is not found)]); the refusal where all are."""
     find = problem.symbolic_following if growing else problem.symbolic_steady_state
     found, untold = {}, []
@@ -85,7 +88,7 @@ def _followed(problem, trees, growing):
     return found, [(name, error.message) for name, error in untold]
 
 
-def _printed(problem, name, tree):
+def _printed(problem: "Problem", name: str, tree: Any) -> Any:
     """A signal as it stands in an equation: a sum term by term."""
     if isinstance(tree, NameRef):
         return Name(name)
@@ -157,18 +160,18 @@ def conditions(formula: "Formula") -> Iterator[Paragraph]:
         yield paragraph("resonances where ", maths(formula.denominator[0], " = 0"), hang=4)
 
 
-def _fixed_sign(node):
+def _fixed_sign(node: "Node") -> bool:
     """Is it positive, or negative, or zero, whatever the letters are?"""
     return node.is_zero or node.table.is_positive(node) or node.table.is_positive(-node)
 
 
-def _shared(Omega, place):
+def _shared(Omega: "Node", place: "Node") -> bool:
     """Does Ω follow from letters that its place has, too? Then it is nowhere else."""
     one, other = ({part.name for part in reachable([node]) if part.op == "symbol"} for node in (Omega, place))
     return Omega.op != "symbol" and bool(one & other)
 
 
-def _from_the_start(problem, steady):
+def _from_the_start(problem: "Problem", steady: Mapping[Any, Any]) -> Iterator[Section]:
     from vibcli.analyses.closed_form.free_response import free_motions
     from vibcli.mechanics.initial_state import start_in_letters
 
@@ -201,12 +204,12 @@ def _from_the_start(problem, steady):
     yield from section(title, *blocks, meaning)
 
 
-def _about_steady(problem, table, start, steady, massless):
+def _about_steady(problem: "Problem", table: Table, start: Any, steady: Any, massless: bool) -> tuple[Any, ...]:
     """(start of the free part, parts of the steady part before it, what its letters mean)."""
     if steady is None:
         return start, (), None
     if not hasattr(steady, "formula"):
-        return _about_powers(problem, table, start, steady)
+        return cast("tuple[Any, ...]", _about_powers(problem, table, start, steady))
     formula, (x, v) = steady.formula, start
     X, theta = (table.parameter(letter(problem, name)) for name in ("X", "theta"))
     at_start, = substitute([steady.argument], {problem.scene.time: problem.scene.table.zero})
@@ -225,7 +228,7 @@ def _about_steady(problem, table, start, steady, massless):
     return (A, B), prefix, equations(lines[:1] if massless else lines)
 
 
-def _about_powers(problem, table, start, steady):
+def _about_powers(problem: "Problem", table: Table, start: Any, steady: Any) -> Any:
     """The same of a steady part that is a polynomial of the time."""
     scene = problem.scene
     slope = gradient(steady).get(scene.time, scene.table.zero)
@@ -234,7 +237,7 @@ def _about_powers(problem, table, start, steady):
         copied([steady], table)[0],), None
 
 
-def _known_regime(problem, m, c, k):
+def _known_regime(problem: "Problem", m: "Node", c: "Node", k: "Node") -> Any:
     """The regime where no letter decides about it."""
     from vibcli.analyses.closed_form.free_response import CRITICAL, critical, regime_at
 
@@ -245,7 +248,8 @@ def _known_regime(problem, m, c, k):
     return regime_at(*evaluate([m, c, k], Floats, problem.scene.sample))
 
 
-def _regime(name, motion, prefix, matrices):
+def _regime(name: str, motion: "FreeMotion", prefix: tuple[Any, ...],
+            matrices: "tuple[Node, Node, Node]") -> Iterator[Any]:
     """The words of a regime with its condition, its formula, and what ω stands for."""
     from vibcli.analyses.closed_form.free_response import CRITICAL, critical
 

@@ -1,8 +1,8 @@
 """Variants of a problem: how many passed which gate, their keys, the mistakes that come nearest, all of them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.enumeration import amount
 from vibcli.notation.numbers import plainly
@@ -39,7 +39,7 @@ def variant_table(problem: "Problem", report: "Report") -> Iterator[Section]:
     if not found.accepted:
         return
     names = list(found.accepted[0].values)
-    head = ("no.", *(maths(Name(name)) for name in names), *(_named(key) for key in found.keys))
+    head: tuple[Any, ...] = ("no.", *(maths(Name(name)) for name in names), *(_named(key) for key in found.keys))
     yield from section("Accepted", TableBlock(head, tuple(
         (str(number), *(_printed(one.values[name].text) for name in names),
          *(key.written for key in one.keys))
@@ -57,18 +57,18 @@ def rejected_variants(problem: "Problem", report: "Report") -> Iterator[Section]
         for one in found.rejected)))
 
 
-def _printed(text):
+def _printed(text: str) -> str:
     """A value or unit as it is set in print."""
     from vibcli.notation.as_printed import as_printed
 
     return as_printed(text)
 
 
-def _named(key):
-    return key.text + (f" [{_printed(key.unit)}]" if key.unit else "")
+def _named(key: Any) -> str:
+    return cast("str", key.text + (f" [{_printed(key.unit)}]" if key.unit else ""))
 
 
-def _gates(found):
+def _gates(found: "SolvedVariants") -> TableBlock:
     rows = []
     for gate, count in found.counts.items():
         if gate in found.rules.without:
@@ -78,14 +78,14 @@ def _gates(found):
     return TableBlock(("gate", "rejected", "what it asks"), tuple(rows))
 
 
-def _remarks(found):
+def _remarks(found: "SolvedVariants") -> Iterator[str]:
     if found.reread:
         yield f"{amount(found.reread, 'variant')} read anew from the printed values: the same keys."
     if found.closed:
         yield f"Closed forms give the same: {', '.join(f'{text} in {count}' for text, count in found.closed.items())}."
 
 
-def _keys(found, summaries):
+def _keys(found: "SolvedVariants", summaries: Sequence[Any]) -> TableBlock:
     rows = []
     for key, one in zip(found.keys, summaries, strict=True):
         first, texts = one.first, str(len(one.texts))
@@ -97,7 +97,7 @@ def _keys(found, summaries):
     return TableBlock(("quantity", "unit", "least", "largest", "distinct", "figures", "widest band"), tuple(rows))
 
 
-def _mistakes(found, summaries):
+def _mistakes(found: "SolvedVariants", summaries: Sequence[Any]) -> TableBlock | None:
     """Of each mistake and key, the variant in which they come nearest."""
     rows = []
     for key, summary in zip(found.keys, summaries, strict=True):
@@ -111,7 +111,7 @@ def _mistakes(found, summaries):
     return TableBlock(head, tuple(row for _, row in rows)) if rows else None
 
 
-def variants_data(found: "SolvedVariants") -> dict:
+def variants_data(found: "SolvedVariants") -> dict[str, Any]:
     """The variants with the keys of --json."""
     asked = [{"name": key.text, "unit": key.unit or None, "points": key.points} for key in found.keys]
     accepted = [{"given": _given_data(one), "keys": [_key_data(key) for key in one.keys]} for one in found.accepted]
@@ -124,11 +124,11 @@ def variants_data(found: "SolvedVariants") -> dict:
                    found.reread, [{"name": text, "variants": count} for text, count in found.closed.items()])
 
 
-def _given_data(one):
+def _given_data(one: Any) -> list[dict[str, Any]]:
     return [{"name": name, "value": value.text} for name, value in one.values.items()]
 
 
-def _key_data(key: Any):
+def _key_data(key: Any) -> dict[str, Any]:
     if key.value is None:
         wrong = [{"mistake": one.mistake, "value": None, "text": key.said(one.value)} for one in key.wrong]
         return {"value": None, "error": None, "text": key.written, "figures": key.band and key.band.figures,

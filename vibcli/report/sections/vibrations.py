@@ -3,7 +3,7 @@
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
@@ -30,7 +30,7 @@ def free_vibration(problem: "Problem", asked: "Sequence[RequestedSignal]") -> It
     yield from section("Free vibration", *(paragraph(row) for row in rows))
 
 
-def _regime(problem):
+def _regime(problem: "Problem") -> list[str]:
     from vibcli.analyses.transient.free_vibration import decrement
     from vibcli.analyses.transient.textbook_form import regime
 
@@ -48,7 +48,7 @@ def _regime(problem):
     return [words]
 
 
-def _participation(problem):
+def _participation(problem: "Problem") -> list[str]:
     from vibcli.analyses.transient.free_vibration import energy_shares
 
     if problem.modal.damped is not None or not problem.modal.modes.finite or any(
@@ -75,7 +75,7 @@ def beats(asked: "Sequence[RequestedSignal]", until: float) -> Iterator[str]:
             yield f"{one.label} beats with the period 2π/|ω₁ − ω₂| = {figure(period)} s{_envelope(one.signal, until)}"
 
 
-def _envelope(signal, until):
+def _envelope(signal: Any, until: float) -> str:
     """√(A₁² + A₂² + 2A₁A₂ cos(Δω t − Δφ)), and what it lies between; nothing where there are more vibrations."""
     from vibcli.analyses.transient.textbook_form import Part
 

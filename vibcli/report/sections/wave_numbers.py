@@ -6,14 +6,17 @@ along it has no β.
 
 from collections.abc import Sequence
 from math import isclose, sqrt
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Paragraph, note
+from vibcli.report.blocks import note
 from vibcli.report.own_letters import own_letters
 
 if TYPE_CHECKING:
     from vibcli.analyses.modal.undamped import Mode
+    from vibcli.mechanics.factored_system import PlacedPiece
+    from vibcli.numerics.pieces.piece import Piece
+    from vibcli.report.blocks import Paragraph
     from vibcli.results.problem import Problem
 
 CLOSE, COLUMNS, NAMED = 1e-9, 2, 1      # relative: what is alike; columns that are told, members named in each
@@ -25,7 +28,7 @@ PULL, BED = ("N", "N", "tension"), ("k", "k", "foundation")
 MASS, TURNING = ("mu", "μ", "mass per length"), ("j", "j", "inertia per length")
 
 
-def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> tuple[list[tuple], Paragraph | None]:
+def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> "tuple[list[tuple[str, list[str]]], Paragraph]":
     """[(head, β of each mode)], and by which equation β is told where that is more than two terms."""
     found = _alike([placed for placed in problem.configuration.linear_system.pieces
                     if placed.piece.inertia and not placed.piece.gradient])
@@ -36,9 +39,9 @@ def wave_numbers(problem: "Problem", modes: "Sequence[Mode]") -> tuple[list[tupl
     return columns, _definition(shown, problem)
 
 
-def _alike(pieces):
+def _alike(pieces: "Sequence[PlacedPiece]") -> "list[list[PlacedPiece]]":
     """Pieces in groups of one relation of β and ω."""
-    groups: list[list] = []
+    groups: list[list[Any]] = []
     for placed in pieces:
         same = next((group for group in groups if _is_alike(group[0].piece, placed.piece)), None)
         if same is None:
@@ -48,17 +51,17 @@ def _alike(pieces):
     return groups
 
 
-def _is_alike(one, other):
+def _is_alike(one: "Piece", other: "Piece") -> bool:
     return one.order == other.order and all(isclose(a, b, rel_tol=CLOSE) for a, b in zip(
         _ratios(one), _ratios(other), strict=True))
 
 
-def _ratios(piece):
+def _ratios(piece: "Piece") -> list[float]:
     stiffness = piece.bending or piece.tension
     return [float(x / stiffness) for x in (piece.inertia, piece.bending and piece.tension, piece.foundation)]
 
 
-def _name(group, groups, problem):
+def _name(group: "Sequence[PlacedPiece]", groups: Sequence[Any], problem: "Problem") -> str:
     """The members of a group, those of which it is a part with the place where that begins."""
     named = []
     for placed in group:
@@ -69,7 +72,7 @@ def _name(group, groups, problem):
     return ", ".join(named[:NAMED]) + ", …" * (len(named) > NAMED)
 
 
-def _told(piece, mode):
+def _told(piece: "Piece", mode: "Mode") -> str:
     """β of a mode; – where it is not real."""
     if mode.omega is None:
         return "–"
@@ -89,14 +92,14 @@ def _told(piece, mode):
     return figure(square ** (1 / power), mode.error * max(load / abs(left), abs(steep), 1.0) if left else 0.0)
 
 
-def _definition(groups, problem):
+def _definition(groups: "Sequence[list[PlacedPiece]]", problem: "Problem") -> "Paragraph | None":
     """EI·β⁴ + N·β² + k = μ·ω² of those that a force along them or a foundation acts on."""
     letters = list(map(own_letters(problem.scene).text, "βω"))
     text = "; ".join(dict.fromkeys(filter(None, (_relation(group[0], problem, *letters) for group in groups))))
     return note(text) if text else None
 
 
-def _relation(placed, problem, beta, omega):
+def _relation(placed: "PlacedPiece", problem: "Problem", beta: str, omega: str) -> str:
     """The relation of β and ω of a piece, in words what shares its letter with something else; "" of two terms."""
     piece, kind = placed.piece, problem.scene.members[placed.owner].kind.name
     if not ((piece.bending and piece.tension) or piece.foundation):

@@ -70,7 +70,7 @@ def agree_in_motion(scene: "Scene", samples: "Sequence[Mapping[str, float]]", on
     return True
 
 
-def _spans(scene, values, *sides):
+def _spans(scene: "Scene", values: Mapping[str, float], *sides: "Sequence[Node]") -> list[tuple[float, float]]:
     """[(begin, end)] of the time between instants at which something begins or ends, so that all of it is seen."""
     calls = [part for part in reachable([node for side in sides for node in side]) if part.op == "call"
              and part.name in PULSES and _moves_with(part.args[0]) == {scene.time.name}]
@@ -84,7 +84,7 @@ def _spans(scene, values, *sides):
     return found * -(-STATES // len(found))
 
 
-def _moves_with(node):
+def _moves_with(node: "Node") -> set[str]:
     """The names of the variables in an expression."""
     return {part.name for part in reachable([node]) if part.op == "symbol" and part.mask}
 

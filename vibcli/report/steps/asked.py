@@ -1,5 +1,6 @@
 """What a sheet asks that no line before tells: by its expression in letters where that is short, else its number."""
 
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -34,12 +35,13 @@ from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
+    from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 BY_LETTERS = (tell_direction, tell_instant, tell_of_free, tell_of_overdamped, tell_root, tell_average,
               tell_period, tell_of_kept_up, tell_of_pieces)       # that have lines of their own
-OF_EXPRESSIONS = tell_average, tell_receptance
+OF_EXPRESSIONS = tell_average, tell_receptance, tell_of_kept_up
 CLOSE = 1e-9        # relative: of an expression and the engine's number
 OF_SPRINGS = "stiffness", "damping", "law", "stiffness_correction"       # of springs, dashpots, and what these hold
 ENERGIES = "V", "T", "Phi"      # of expansions, told by the factor of a power
@@ -64,7 +66,7 @@ def tell_asked(problem: "Problem", sheet: WorkedSolution) -> None:
             _tell(problem, sheet, one.asked, joined=one in of_answers and beside)
 
 
-def _tell_in_letters(problem, sheet):
+def _tell_in_letters(problem: "Problem", sheet: WorkedSolution) -> None:
     """The expressions of quantities that answers of a scene in letters ask, with a number where all that is left has
     one; then what is told in numbers alone."""
     settled, left = {line.settles for line in sheet.steps}, []
@@ -73,7 +75,7 @@ def _tell_in_letters(problem, sheet):
         if asked.text in settled:
             continue
         try:
-            ways: tuple = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
+            ways: tuple[Any, ...] = IN_LETTERS if isinstance(asked.tree, QuantityRef) else ()
             ways = *ways, tell_average, tell_of_kept_up, _told_as_expression
             if not any(tell(problem, sheet, asked) for tell in ways):
                 left.append(asked)
@@ -82,7 +84,7 @@ def _tell_in_letters(problem, sheet):
     tell_left(problem, sheet, left)
 
 
-def _by_frequency(problem, sheet, asked):
+def _by_frequency(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is a period, or a frequency in Hz, told by the letter of its angular frequency?"""
     tree = asked.tree
     line = next((one for one in sheet.steps if tree.head in ("period", "frequency") and not tree.args and one.letter
@@ -98,7 +100,7 @@ def _by_frequency(problem, sheet, asked):
 IN_LETTERS = _by_frequency, tell_root, tell_instant, tell_of_free, tell_period, tell_of_pieces
 
 
-def _told_as_expression(problem, sheet, asked):
+def _told_as_expression(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is its expression in letters written down, as it is not long?"""
     samples, known = samples_of(problem, {}), problem.scene.parameters.values(Floats)
     alone = isinstance(asked.tree, QuantityRef) or response_of(problem, asked.tree) is not None
@@ -114,13 +116,13 @@ def _told_as_expression(problem, sheet, asked):
     return True
 
 
-def _of_quantities(problem, asked):
+def _of_quantities(problem: "Problem", asked: "Expression") -> "Node":
     found = {part.text: any_quantity(problem, part) for part in asked.parts.quantities}
     return lowered(asked, problem.scene.table, lambda name, primes, part: found[part.text] if isinstance(
         part, QuantityRef) else problem.scene.parameters.nodes[name])
 
 
-def _untold(spec, asked):
+def _untold(spec: "Spec", asked: "Expression") -> bool:
     """Is it of a motion, of a node, of springs, or an expression of quantities that the scene does not choose?"""
     quantities = asked.parts.quantities
     if isinstance(asked.tree, QuantityRef):
@@ -130,7 +132,7 @@ def _untold(spec, asked):
     return bool(quantities) and not any(is_choice(spec, tree) for tree in quantities)
 
 
-def _is_number(spec, tree):
+def _is_number(spec: "Spec", tree: Any) -> Any:
     """Is it an expression of quantities, or one that is a number and has a line of its own?"""
     quantity = quantity_of(spec, tree)
     if quantity is None:
@@ -139,7 +141,7 @@ def _is_number(spec, tree):
         tree.head not in BESIDE or tree.args or len(tree.indices) == 2)
 
 
-def _tell(problem, sheet, asked, joined):
+def _tell(problem: "Problem", sheet: WorkedSolution, asked: "Expression", joined: bool) -> None:
     for tell in BY_LETTERS if isinstance(asked.tree, QuantityRef) else OF_EXPRESSIONS:
         sheet.join_next(joined and tell not in (tell_direction, tell_instant, tell_receptance))
         with suppress(PhysicsError, SpecError):
@@ -183,7 +185,7 @@ def short_quantity(problem: "Problem", tree: Any) -> "Node":
     return min(_rooted(shortest, samples), shortest, key=letters)
 
 
-def _rooted(node, samples):
+def _rooted(node: "Node", samples: Sequence[Mapping[str, float]]) -> "Node":
     """The same with what is a square taken out of the roots among its factors."""
     if node.op != "product" or not any(e.denominator == 2 for _, e in node.args):
         return node

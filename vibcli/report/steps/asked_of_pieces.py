@@ -21,7 +21,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.parser import VALUE
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower, lower_measured
 from vibcli.symbolic.syntax import NameRef, parts_of
 from vibcli.symbolic.transfer_between_tables import copied
 
@@ -52,9 +52,10 @@ def tell_of_pieces(problem: "Problem", sheet: WorkedSolution, asked: "Expression
     return tell_searched(problem, sheet, asked, signal.value, signal.told, lines)
 
 
-def _at_instant(problem, sheet, signal, tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
+def _at_instant(problem: "Problem", sheet: WorkedSolution, signal: "_Signal",
+                tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
     """The value by the pieces that have begun, in letters by its simplest form as well."""
-    t = lower(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])
+    t = lower_measured(tree, problem.scene.table, lambda name, *_: problem.scene.parameters.nodes[name])
     if t.op == "number" and not t.is_zero and problem.numeric.has_free_symbols:
         return      # its unit would not stand beside letters
     at, = evaluate([t], Floats, signal.known)
@@ -68,7 +69,7 @@ def _at_instant(problem, sheet, signal, tree: Any) -> "Iterator[tuple[Node, list
 class _Signal:
     """A function of signals that follow coordinates which move by pieces."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution, tree: Any):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution, tree: Any) -> None:
         self.problem, self.sheet, self.tree, self.table = problem, sheet, tree, problem.scene.table
         self.names, self.time = problem.scene.coordinates, problem.scene.time
         self.known = next(instances(problem, sheet), ({}, {}))[1]
@@ -80,7 +81,7 @@ class _Signal:
 
     def value(self, t: "Node", at: float) -> "Node":
         """At an instant, which is `at` in numbers."""
-        def signal(name, primes, part):
+        def signal(name: str, primes: int, part: NameRef) -> "Node":
             if not isinstance(part, NameRef):
                 raise NotInLetters("parts of signals are found in numbers")
             if name in self.problem.scene.parameters.nodes and not primes:
@@ -90,7 +91,7 @@ class _Signal:
 
         return lower(self.tree, self.table, signal)
 
-    def _moved(self, name, order, t, at):
+    def _moved(self, name: str, order: int, t: "Node", at: float) -> "Node":
         motion = self.sheet.by_pieces[name]
         return motion.value(motion.begun(at, self.known), t, self.time, order)
 
@@ -129,7 +130,7 @@ class _Signal:
         return {(self.names[i], order): copied([node], self.table)[0] for order, row in enumerate(rows)
                 for i, node in row.items()}, textbook(fixed)
 
-    def _rest(self, name, primes):
+    def _rest(self, name: str, primes: int) -> "Node":
         """In equilibrium; by the letter of a line where a search found it."""
         line = next((line for line in self.sheet.steps if line.settles == f"equilibrium[{name}]" and line.letter), None)
         if line is not None and not primes:
@@ -142,7 +143,7 @@ class _Signal:
         return (rows[self.names[0], 0], fixed) if list(rows) == [(self.names[0], 0)] and not fixed.mask else None
 
 
-def _final(signal) -> "Iterator[tuple[Node, list[Any]]]":
+def _final(signal: _Signal) -> "Iterator[tuple[Node, list[Any]]]":
     """The limit of a signal, where the coordinate settles."""
     found, settles = signal.of_one(), signal.sheet.by_pieces[signal.names[0]].settles
     if found is not None and settles is not None:
@@ -150,7 +151,7 @@ def _final(signal) -> "Iterator[tuple[Node, list[Any]]]":
         yield node, [node]
 
 
-def _by_coordinate(signal) -> "Iterator[tuple[Node, list[Any]]]":
+def _by_coordinate(signal: _Signal) -> "Iterator[tuple[Node, list[Any]]]":
     """The extremes of a signal that is proportional to the coordinate, beside what is fixed, by those of that."""
     found, (name, *_) = signal.of_one(), signal.names
     for line in signal.sheet.steps if found is not None else ():

@@ -2,6 +2,7 @@
 assumed shapes Φ the roots of det(ΦᵀKΦ − ω²ΦᵀMΦ) = 0 (Ritz), of one shape Rayleigh's quotient (Rao 2011, section 8.8);
 by the static deflection, and by each inertia alone."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
@@ -13,6 +14,8 @@ from vibcli.report.steps.step import WorkedSolution, number, told
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from vibcli.results.problem import Problem
 
 CLOSE = 1e-9        # relative: of ΦᵀMΦ by the lines and the engine's, of what a root leaves
 
@@ -38,7 +41,7 @@ def tell_estimates(about: AboutRest, sheet: WorkedSolution, found: SmallEquation
         del sheet.steps[before:]
 
 
-def _ritz(problem, sheet, uses):
+def _ritz(problem: "Problem", sheet: WorkedSolution, uses: "Sequence[int]") -> None:
     found = problem.modal.result("ritz")
     M, _, _, K = problem.configuration.linear_system.matrices()
     if not all(_reduced(matrix, found.shapes, known) for matrix, known in ((M, found.M), (K, found.K))):
@@ -64,7 +67,8 @@ def _ritz(problem, sheet, uses):
                         settles=f"ritz[{mode.index}]", value=float(mode.omega), unit="rad/s")
 
 
-def _reduced(matrix, shapes, known):
+def _reduced(matrix: Mapping[tuple[int, int], float], shapes: "Sequence[list[float]]",
+             known: "Sequence[list[float]]") -> bool:
     """Is ΦᵀAΦ what the engine has?"""
     size = max(abs(float(x)) for row in known for x in row)
     return all(abs(sum(value * float(one[i]) * float(other[j]) for (i, j), value in matrix.items())

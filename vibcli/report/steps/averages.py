@@ -7,6 +7,7 @@ of a load A sin Ωt + B cos Ωt; of several qⱼ = aⱼ sin Ωt + bⱼ cos Ωt; 
 (Thomson & Dahleh 1998, section 13.3)."""
 
 import re
+from collections.abc import Sequence
 from contextlib import suppress
 from itertools import islice
 from math import prod
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import Power
 
 SINE, COSINE = "𝔰", "𝔠"        # of τ, while an average is taken
 WITH = "with the real part a and the imaginary part b of each X:  "
@@ -70,11 +72,12 @@ def tell_average(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
     return tell_found(problem, sheet, asked, [(node, [*[Words(WITH)] * first, node])], [sheet.last])
 
 
-def _average(problem, sheet, swing, tree, sizes) -> "Node":
+def _average(problem: "Problem", sheet: WorkedSolution, swing: "MotionsByWaves", tree: QuantityRef,
+             sizes: bool) -> "Node":
     """The expression, also of several means; of their sizes by the root mean square of each, where it is zero."""
     samples = [dict(known) for _, known in islice(instances(problem, sheet), INSTANCES)]
 
-    def average(name, primes, part: Any):
+    def average(name: str, primes: int, part: Any) -> "Node":
         if isinstance(part, NameRef):
             return problem.scene.parameters.nodes[name]
         node = swing.put_in(problem, _signal(problem, part.args[0]))
@@ -86,9 +89,9 @@ def _average(problem, sheet, swing, tree, sizes) -> "Node":
     return found if sizes else tidy(found, samples)
 
 
-def _signal(problem, tree) -> "Node":
+def _signal(problem: "Problem", tree: "NameRef | Power") -> "Node":
     """It as a function of coordinates, speeds, accelerations and the time; what is steady of it is it."""
-    def at(name, primes, part):
+    def at(name: str, primes: int, part: NameRef) -> "Node":
         if isinstance(part, NameRef):
             parameters = problem.scene.parameters.nodes
             return parameters[name] if name in parameters and not primes else copied([moving(
@@ -130,7 +133,7 @@ class MotionsByWaves(NamedTuple):
         return total
 
 
-def _load(problem) -> "tuple[Node, dict[int, dict[str, Node]]] | None":
+def _load(problem: "Problem") -> "tuple[Node, dict[int, dict[str, Node]]] | None":
     """(Ωt + φ, {row: {sin or cos: factor}}) of loads of one frequency; None of others."""
     acting = waves_of_all(problem.scene, problem.symbolic.excitation)
     arguments = {argument for waves in acting.values() for argument, _ in waves}
@@ -139,7 +142,7 @@ def _load(problem) -> "tuple[Node, dict[int, dict[str, Node]]] | None":
     return arguments.pop(), {i: {kind: node for (_, kind), node in waves.items()} for i, waves in acting.items()}
 
 
-def _of_harmonics(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
+def _of_harmonics(problem: "Problem", sheet: WorkedSolution, tree: QuantityRef) -> "Iterator[tuple[Node, list[Any]]]":
     """√(Σ Xₖ²/2), and Σ Xₖ²/2, of the only coordinate under several harmonics, or (ΩᵏX)² of a rate of it."""
     first, table = next(iter(getattr(tree, "args", ())), None), problem.scene.table
     square = getattr(first, "kind", "") == "power" and getattr(first.exponent, "value", 0) == 2 and (
@@ -156,7 +159,7 @@ def _of_harmonics(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
     yield (node if square else table.sqrt(node)), [node if square else table.sqrt(node)]
 
 
-def _of_one(problem, sheet) -> MotionsByWaves | None:
+def _of_one(problem: "Problem", sheet: WorkedSolution) -> MotionsByWaves | None:
     """Of the only coordinate, by the letter of its amplitude."""
     (name,), table, load = problem.scene.coordinates, problem.scene.table, _load(problem)
     line = next((line for line in sheet.steps if line.settles == f"amplitude({name})" and line.letter), None)
@@ -172,7 +175,7 @@ def _of_one(problem, sheet) -> MotionsByWaves | None:
     return _swing(problem, [(X * sine, X * cosine)], (argument, Omega), (p * sine + q * cosine, p * cosine - q * sine))
 
 
-def _of_several(problem, sheet) -> MotionsByWaves | None:
+def _of_several(problem: "Problem", sheet: WorkedSolution) -> MotionsByWaves | None:
     """Of several by the letters of the parts of their complex amplitudes."""
     table, load, told = problem.scene.table, _load(problem), {line.letter for line in sheet.steps if line.letter}
     if load is None:
@@ -191,7 +194,8 @@ def _of_several(problem, sheet) -> MotionsByWaves | None:
     return _swing(problem, places, (argument, gradient(argument)[problem.scene.time]), (sine, cosine))
 
 
-def _swing(problem, places, frequency, waves) -> MotionsByWaves:
+def _swing(problem: "Problem", places: "Sequence[tuple[Node, Node]]", frequency: "tuple[Node, Node]",
+           waves: "tuple[Node, Node]") -> MotionsByWaves:
     """By [(of a coordinate, of its rate over Ω)], (Ωt + φ, Ω), and what the sine and the cosine of that are."""
     scene, table, (argument, Omega) = problem.scene, problem.scene.table, frequency
     motions = {table.call(kind, argument): node for kind, node in zip(("sin", "cos"), waves, strict=True)}
@@ -200,10 +204,10 @@ def _swing(problem, places, frequency, waves) -> MotionsByWaves:
     return MotionsByWaves(*(table.parameter(wave, positive=False) for wave in (SINE, COSINE)), motions)
 
 
-def _odd(n):
+def _odd(n: int) -> int:
     """(n − 1)!! of an even number."""
     return prod(range(1, n, 2))
 
 
-def _even(n):
+def _even(n: int) -> int:
     return prod(range(2, n + 1, 2))

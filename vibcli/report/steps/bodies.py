@@ -1,7 +1,7 @@
 """The kinetic energy, body by body: translation ½ m v², a fixed axis ½ J_O ω², plane motion ½ m v_C² + ½ J_C ω²
 (Kovacić & Radomirović 2018, §1.3), speeds to the first order about rest."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,9 @@ from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
     from vibcli.elements.rigid_body import Body
+    from vibcli.report.steps.in_motion import Unexpanded
+    from vibcli.report.steps.small import Small
+    from vibcli.scene.energy_terms import Inertia
     from vibcli.symbolic.node import Node
 
 SHORT = 2       # factors of T, up to which it is told as shortly as that it is like another
@@ -34,20 +37,20 @@ class Bodies:
     """What the bodies of a scene add to T, AboutRest or InMotion, apart from some of these names; `others`: does
     something else, too?"""
 
-    def __init__(self, about: Any, sheet: WorkedSolution, others: bool, apart: Collection[str] = ()):
+    def __init__(self, about: Any, sheet: WorkedSolution, others: bool, apart: Collection[str] = ()) -> None:
         self.about, self.sheet, self.scene, self._apart = about, sheet, about.scene, apart
-        self._told: dict = {}
-        self._lines: dict = {}
-        self._parts: dict = {}
-        self._at_once: set = set()
+        self._told: dict[Any, Any] = {}
+        self._lines: dict[Any, Any] = {}
+        self._parts: dict[Any, Any] = {}
+        self._at_once: set[Any] = set()
         self._likened = -1
-        self._places: dict = {}
+        self._places: dict[Any, Any] = {}
         self._several = others or sum(1 for body in self.scene.bodies.values() if self._counts(body)) > 1
 
-    def _counts(self, body):
+    def _counts(self, body: "Body") -> bool:
         return any(term.owner == body.name for term in (*self.scene.inertias, *self.scene.weights))
 
-    def mass_matrix(self) -> "dict[tuple[int, int], Node]":
+    def mass_matrix(self) -> Any:
         """M = Σ w ∇s ∇sᵀ of what was told of each, and of what has no line."""
         untold = [(term.weight, self.about.small(term.s)) for term in self.scene.inertias
                   if term.owner not in self._parts]
@@ -63,17 +66,17 @@ class Bodies:
         for name in dict.fromkeys(term.owner for term in self.scene.inertias if term.owner not in self.scene.bodies):
             yield self._of_terms(name, [term for term in self.scene.inertias if term.owner == name])
 
-    def _moved(self, body, terms):
+    def _moved(self, body: "Body", terms: "Sequence[Inertia]") -> "Iterator[tuple[Node, Small | Unexpanded]]":
         """(weight, s) of each term of ½ Σ w ṡ² of a body, of one on a fixed axis of its turn alone."""
         if _is_on_an_axis(body):
             yield self.about.tidy(self.scene.table.total(_about_the_axis(body))), self.about.small(body.frame.angle)
         else:
             yield from ((term.weight, self.about.small(term.s)) for term in terms)
 
-    def _letter(self, name):
+    def _letter(self, name: str) -> str:
         return self.sheet.letter("T", name if self._several or name not in self.scene.bodies else "")
 
-    def _like_another(self, body, terms):
+    def _like_another(self, body: "Body", terms: "list[Inertia]") -> EnergyPart | None:
         """T of a body that moves like one before it; None of others."""
         if body.frame is None or body.pieces:
             return None
@@ -90,14 +93,14 @@ class Bodies:
         self._likened = line
         return EnergyPart(letter, node, line)
 
-    def _of_body(self, body, terms):
+    def _of_body(self, body: "Body", terms: "list[Inertia]") -> EnergyPart:
         if body.frame is None:
             return self._of_terms(body.name, terms)
         if _is_on_an_axis(body):
             return self._about_a_fixed_axis(body, terms)
         return self._in_the_plane(body, terms)
 
-    def _about_a_fixed_axis(self, body: "Body", terms):
+    def _about_a_fixed_axis(self, body: "Body", terms: "list[Inertia]") -> EnergyPart:
         """½ J_O ω², J_O by the parallel axis theorem of each part."""
         about, parts = self.about, _about_the_axis(body)
         written, ((J, omega),) = list(map(textbook, parts)), self._moved(body, terms)
@@ -121,7 +124,7 @@ class Bodies:
                                 *self._number(J), settles=letter, node=J, value=about.value(J), unit="kg·m²")
         return self._energy(body.name, [(J, omega)], line, [self.about.letter(letter) * rate ** 2 / 2])
 
-    def _axis_and_centre(self, body):
+    def _axis_and_centre(self, body: "Body") -> tuple[str, str]:
         """The letters O and C, others where the scene has these of something else than the places meant."""
         names = {*self.scene.parameters.nodes, *self.scene.coordinates, *self.scene.points}
         places = ("OASP", body.frame.place), ("CGWR", body.frame.point(*body.centre))
@@ -129,29 +132,29 @@ class Bodies:
                         for several, place in places)
         return self._axis_of(body, axis), centre
 
-    def _axis_of(self, body, letter):
+    def _axis_of(self, body: "Body", letter: str) -> str:
         """The letter of an axis, numbered where bodies have several."""
         return letter if len(self._axes) < 2 else letter + lowered(list(self._axes).index(_place(body)) + 1)
 
-    def _shares_its_axis(self, body):
+    def _shares_its_axis(self, body: "Body") -> bool:
         """Do others turn about it, while there are several axes?"""
         return len(self._axes) > 1 and len(self._axes[_place(body)]) > 1
 
     @cached_property
-    def _axes(self):
+    def _axes(self) -> "dict[tuple[Node, Node], list[str]]":
         """{place of a fixed axis: the bodies that turn about it}."""
-        found: dict = {}
+        found: dict[Any, Any] = {}
         for body in self.scene.bodies.values():
             if _is_on_an_axis(body):
                 found.setdefault(_place(body), []).append(body.name)
         return found
 
-    def _is_at(self, point, place):
+    def _is_at(self, point: str, place: "tuple[Node, Node]") -> bool:
         """Is the point of the scene of this name always at the place?"""
         return point in self.scene.points and all(is_zero(one - other) for one, other in zip(
             self.scene.points[point][1], place, strict=True))
 
-    def _in_the_plane(self, body, terms):
+    def _in_the_plane(self, body: "Body", terms: "Sequence[Inertia]") -> EnergyPart:
         about = self.about
         x, y = body.frame.point(*body.centre)
         moves = [(axis, node) for axis, node in (("x", x), ("y", y)) if node.mask]
@@ -185,19 +188,19 @@ class Bodies:
         shown = [] if body.pieces or _is_plain(speeds, omega) else formula
         return self._energy(body.name, parts, lines[-1], shown, lines=lines)
 
-    def _goes_straight(self, moves):
+    def _goes_straight(self, moves: "Sequence[tuple[str, Node]]") -> bool:
         """Is the place of the mass centre linear in the coordinates, so that its speeds are read off the figure?"""
         q = self.scene.q
         return all(not any(textbook(slope).mask for x, slope in gradient(node).items() if x in q) for _, node in moves)
 
-    def _placed(self, body, x, y):
+    def _placed(self, body: "Body", x: "Node", y: "Node") -> int | None:
         """The line that tells where the mass centre is; None where it is the coordinates themselves."""
         x, y = self.about.shifted(x), self.about.shifted(y)
         if all(node.op == "symbol" or not node.mask for node in (x, y)) or letters(x) + letters(y) > LONG:
             return None
         return self.sheet.write(Words(f"mass centre of {body.name}:  "), "C = ", *place_told(x, y))
 
-    def _of_terms(self, name, terms):
+    def _of_terms(self, name: str, terms: "Sequence[Inertia]") -> EnergyPart:
         """½ w ṡ² of what has no place; of a body v or ω first, where that is more than the rate of a coordinate."""
         about = self.about
         parts = [(term.weight, about.small(term.s)) for term in terms]
@@ -208,7 +211,9 @@ class Bodies:
             rate, speed = moves, [moves, " = ", rate, Words(",  ")]
         return self._energy(name, parts, None, [] if others else [weight * rate ** 2 / 2], before=speed)
 
-    def _energy(self, name, parts, line, formula, lines=(), before=()):
+    def _energy(self, name: str, parts: "list[tuple[Node, Small | Unexpanded]]", line: int | None,
+                formula: "Sequence[Node]", lines: Sequence[int | None] = (),
+                before: "Sequence[Node | str | Words]" = ()) -> EnergyPart:
         """A line T = formula = the same with what it stands for."""
         about = self.about
         node = about.half_squares(parts, rates=True)
@@ -222,21 +227,21 @@ class Bodies:
             self._at_once.add(name)
         return EnergyPart(letter, node, written)
 
-    def _number(self, node):
+    def _number(self, node: "Node") -> tuple[str | Words, ...]:
         value = self.about.value(node)
         return () if value is None else number(value, "kg·m²")
 
 
-def _is_on_an_axis(body):
+def _is_on_an_axis(body: "Body") -> Any:
     """Does a body turn about a fixed axis?"""
     return body.frame is not None and body.frame.angle.mask and not any(node.mask for node in body.frame.place)
 
 
-def _place(body):
+def _place(body: "Body") -> Any:
     return tuple(map(textbook, body.frame.place))
 
 
-def _about_the_axis(body):
+def _about_the_axis(body: "Body") -> "list[Node]":
     """The terms of J_O, J_C and m·OC² of each part."""
     ox, oy = body.frame.drawn
     squares = [(own, mass, textbook((x - ox) ** 2 + (y - oy) ** 2))
@@ -245,6 +250,6 @@ def _about_the_axis(body):
     return [node for node in nodes if node is not None and not node.is_zero]
 
 
-def _is_plain(speeds, omega):
+def _is_plain(speeds: "Sequence[tuple[str, Node]]", omega: "Node | None") -> bool:
     """Is there one speed, and that the rate of a coordinate?"""
     return omega is None and len(speeds) == 1 and speeds[0][1].op == "symbol"

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.nonlinear.small_amplitudes import EnergyFactors
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 HEAD, LETTERS = "backbone", ("omega0", "alpha2", "alpha3")
 LONG = 60           # letters of the energies, beyond which they are not told
@@ -51,7 +52,7 @@ def tell_by_amplitude(problem: "Problem", sheet: WorkedSolution) -> None:
             del sheet.steps[before:]
 
 
-def _tell_energies(problem: "Problem", sheet: WorkedSolution, asked: "Sequence[Expression]"):
+def _tell_energies(problem: "Problem", sheet: WorkedSolution, asked: "Sequence[Expression]") -> None:
     """Those at an amplitude; nothing in letters, or of long energies."""
     if not asked or problem.numeric.has_free_symbols:
         return
@@ -70,7 +71,8 @@ def _tell_energies(problem: "Problem", sheet: WorkedSolution, asked: "Sequence[E
         _tell_period(problem, sheet, one, f"A{i}" if len(asked) > 1 else "A", (E, V, M, line))
 
 
-def _tell_period(problem, sheet, asked, index, energies):
+def _tell_period(problem: "Problem", sheet: WorkedSolution, asked: "Expression", index: str,
+                 energies: "tuple[Node, Node, Node, int]") -> None:
     """Where the motion of an amplitude turns, and how long it takes."""
     (E, V, M, line), free, name = energies, problem.free_motions, problem.free_motions.scene.coordinates[0]
     q, unit = free.scene.q[0].name, "m" if problem.system.dimension(name) else "rad"
@@ -97,7 +99,7 @@ def _tell_period(problem, sheet, asked, index, energies):
                 unit="rad/s", uses=[last], node=2 * T.table.pi / T, joined=True)
 
 
-def _tell_expansion(problem: "Problem", sheet: WorkedSolution, asked: "Sequence[Expression]"):
+def _tell_expansion(problem: "Problem", sheet: WorkedSolution, asked: "Sequence[Expression]") -> None:
     """κ, its energies expanded to the fourth order; where the equilibrium is known in letters."""
     from vibcli.analyses.nonlinear.small_amplitudes import factors_in_letters
 
@@ -112,7 +114,7 @@ def _tell_expansion(problem: "Problem", sheet: WorkedSolution, asked: "Sequence[
 class _Expansion:
     """From V₂, V₃, V₄ and T₀, T₁, T₂ to κ."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution, factors: "EnergyFactors"):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution, factors: "EnergyFactors") -> None:
         self.problem, self.sheet, self.factors = problem, sheet, factors
         self.scene = problem.scene.resting
         self.table = self.scene.table
@@ -142,7 +144,7 @@ class _Expansion:
         line = self._values([pair for pair in known if not pair[0].is_zero], line)
         self._no_secular_terms(u, omega0, alphas, asked, line)
 
-    def _straightened(self, q, line):
+    def _straightened(self, q: "Node", line: int) -> "tuple[Node, int]":
         """The coordinate in which the inertia is constant; q itself where it is so."""
         one, two = self.mu
         if one.is_zero and two.is_zero:
@@ -152,13 +154,14 @@ class _Expansion:
         return u, self.sheet.write(Words("the inertia becomes constant with  "), q, " = ", node, Words(" + …"),
                                    settles="inertia made constant", uses=[line])
 
-    def _values(self, pairs, line):
+    def _values(self, pairs: "Sequence[tuple[Node, Node]]", line: int) -> int:
         for i, (head, node) in enumerate(pairs):
             written = self.sheet.write(head, " = ", node, settles=f"factor {i + 1} of the expansion", node=node,
                                        uses=[line], joined=i > 0)
         return written
 
-    def _no_secular_terms(self, u, omega0, alphas, asked, line):
+    def _no_secular_terms(self, u: "Node", omega0: "Node", alphas: "list[Node]", asked: "Expression",
+                          line: int) -> None:
         """The motion by powers of the amplitude, and κ, with which nothing of the third order grows."""
         sheet, (two, three) = self.sheet, alphas
         A, turn = (self.table.parameter(sheet.letter(name), positive=False) for name in ("A", "tau"))
@@ -180,6 +183,6 @@ class _Expansion:
 
 
 
-def _sum(*nodes):
+def _sum(*nodes: "Node") -> SumOfTerms:
     """Those that are not zero."""
     return SumOfTerms(tuple(node for node in nodes if not node.is_zero))

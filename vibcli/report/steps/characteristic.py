@@ -7,7 +7,7 @@ and of two with gyroscopic terms, where det(K + iωG − ω²M) has G₁₂² ω
 
 from collections.abc import Sequence
 from itertools import combinations, product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.held import SmallEquations
@@ -21,6 +21,7 @@ from vibcli.symbolic.normal_form import is_zero
 from vibcli.symbolic.radicals import root
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.closed_forms import ClosedMode
     from vibcli.symbolic.node import Node
 
 WRITTEN_OUT = 60    # letters of a determinant by its entries, beyond which it is told by its powers alone
@@ -49,7 +50,7 @@ def damped_coefficients(about: AboutRest, found: SmallEquations) -> "list[Node]"
     parts = (found.K,), (found.C, found.G), (found.M,)
     rows = [[[about.table.total([part[i, j] for part in of if (i, j) in part] or [zero]) for j in range(n)]
              for i in range(n)] for of in parts]
-    sums: list = [[] for _ in range(2 * n + 1)]
+    sums: list[Any] = [[] for _ in range(2 * n + 1)]
     for powers in product(range(3), repeat=n):
         sums[sum(powers)].append(determinant([rows[power][i] for i, power in enumerate(powers)]))
     return [about.tidy(about.table.total(terms)) for terms in reversed(sums)]
@@ -81,7 +82,7 @@ def tell_polynomial(about: AboutRest, sheet: WorkedSolution, found: SmallEquatio
     return names, known, lines
 
 
-def _written_out(about, found, omega):
+def _written_out(about: AboutRest, found: SmallEquations, omega: "Node") -> "list[Node | str]":
     """Parts of the determinant by its entries and ` = `; none of a long or a gyroscopic one."""
     n, zero = len(about.scene.q), about.table.zero
     node = determinant([[found.K.get((i, j), zero) - omega ** 2 * found.M.get((i, j), zero) for j in range(n)]
@@ -116,20 +117,21 @@ def tell_roots(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, u
         sheet.write(*parts, settles=f"omega[{mode.index}]", node=omega, uses=uses)
 
 
-def _by_coefficients(about, found, mode):
+def _by_coefficients(about: AboutRest, found: SmallEquations, mode: "ClosedMode") -> "Node":
     """The frequency of a mode, of two by the formula of the roots where that is shorter."""
     if len(about.scene.q) != 2 or found.G or mode.index > 2:
-        return mode.omega
+        return cast("Node", mode.omega)
     a2, a1, a0 = coefficients(about, found)
     if a2.is_zero:
-        return mode.omega
+        return cast("Node", mode.omega)
     b1, b0 = about.tidy(a1 / a2), about.tidy(a0 / a2)
     spread = root(about.tidy(b1 * b1 - 4 * b0), about.samples)
     node = root(about.tidy((b1 - spread if mode.index == 1 else b1 + spread) / 2), about.samples)
     return node if letters(node) < letters(mode.omega) and about.same(node, mode.omega) else mode.omega
 
 
-def _factors(about, sheet, known, omegas, uses):
+def _factors(about: AboutRest, sheet: WorkedSolution, known: "list[Node]", omegas: "Sequence[Node]",
+             uses: list[int]) -> list[int]:
     """The line of a₃ω⁶ − a₂ω⁴ + a₁ω² − a₀ as a product, by a root that is rational in the letters; none without one."""
     a3, a2, a1, a0 = known
     for omega in omegas:

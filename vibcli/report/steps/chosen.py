@@ -21,6 +21,7 @@ from vibcli.symbolic.node import is_number
 from vibcli.symbolic.syntax import parts_of
 
 if TYPE_CHECKING:
+    from vibcli.reader.sections.choose import Condition
     from vibcli.results.problem import Problem
 
 
@@ -71,7 +72,7 @@ def tell_chosen_motion(problem: "Problem", sheet: WorkedSolution) -> None:
         OneDegree(degree).write_motion([sheet.last])
 
 
-def _written_out(problem, sheet, condition) -> list[Any]:
+def _written_out(problem: "Problem", sheet: WorkedSolution, condition: "Condition") -> list[Any]:
     """Parts of a condition on a quantity by its expression in letters, where no line tells that; none of others."""
     if condition.word or parts_of(condition.right.tree).quantities:
         return []

@@ -25,6 +25,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from vibcli.symbolic.node import Node
+
 LETTERS = {"impulse": "h", "step": "s", "ramp": "r", "sin": "v", "cos": "w"}       # of unit responses
 RULE = "the motion is the sum of complex modes, of the shape  "
 PAIRS = ", a pair of roots adding twice the real part of one"
@@ -74,7 +76,8 @@ def tell_complex_modes_under(about: AboutRest, sheet: WorkedSolution, found: Sma
 class ComplexModesUnderPieces:
     """The lines of such a motion."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations, under: ComplexModesUnderLoads):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations,
+                 under: ComplexModesUnderLoads) -> None:
         self.about, self.sheet, self.found, self.table = about, sheet, found, about.table
         self.modes, self.taken, self.started = under
         self.names, self.tau = about.scene.coordinates, about.letter(sheet.letter("tau"))
@@ -95,7 +98,7 @@ class ComplexModesUnderPieces:
             *sides, settles="equations of complex modes", uses=self.found.lines)
         return [first, *(self._equation(k, mode, [first]) for k, mode in enumerate(self.modes))]
 
-    def _equation(self, k, mode, uses):
+    def _equation(self, k: int, mode: ComplexMode, uses: list[int]) -> int:
         """The line of a mode: its root, its shape, what drives it, and its part of the start."""
         z, Q, root = self.z[k], self.sheet.letter("Q"), Name(self.sheet.letter(f"lambda{k + 1}"))
         loads = [part for j, taken in self.taken.items() for part in (
@@ -140,7 +143,7 @@ class ComplexModesUnderPieces:
             self.sheet.by_pieces[name] = motion
         return all(is_of_engine(self.about, self.sheet, *pair) for pair in zip(self.names, motions, strict=True))
 
-    def _unit(self, kind, uses):
+    def _unit(self, kind: str, uses: list[int]) -> int:
         """The line of what a unit of a kind brings about: its particular part, and the constant at its start."""
         root, tau = self.about.letter(self.sheet.letter("lambda")), self.tau
         name = Name(self.sheet.letter(LETTERS[kind], "k"))
@@ -155,7 +158,7 @@ class ComplexModesUnderPieces:
             ",  and as z = 0 at its start the constant  "), constant, Words("  of  "), free, Words(":  "), name,
             "(τ) = ", constant * free + kept, *known, settles=name.text, uses=uses)
 
-    def _constant(self, kind, k, root, constant):
+    def _constant(self, kind: str, k: int, root: "Node", constant: "Node") -> "list[Name | Node | str | Words]":
         """Parts of that of a mode in numbers; of one whose λ is zero, of what stands in its place."""
         mode, own = self.modes[k], self.about.letter(self.sheet.letter(f"lambda{k + 1}"))
         if mode.root:
@@ -165,7 +168,7 @@ class ComplexModesUnderPieces:
         name = self.sheet.letter(f"{LETTERS[kind]}{k + 1}")
         return [Words(",  but as "), own, " = 0", Words("  "), Name(name), "(τ) = ", self._units(k).added_up(kind)]
 
-    def _units(self, k):
+    def _units(self, k: int) -> ComplexUnitResponses:
         """What units bring about in a mode, by the letters of its λ, −α of one that is real: two of these may have the
         number of one mode."""
         mode = self.modes[k]
@@ -174,7 +177,7 @@ class ComplexModesUnderPieces:
                         for name, part in zip(names, (mode.root.real or mode.root.imag, mode.root.imag), strict=True))
         return ComplexUnitResponses(delta, omega, self.tau, self.Omega)
 
-    def _sum(self, k, uses):
+    def _sum(self, k: int, uses: list[int]) -> int:
         """The line of z of a mode by the pieces of loads."""
         time, parts, mode = self.about.scene.time, [], self.modes[k]
         if self.started:
@@ -188,18 +191,18 @@ class ComplexModesUnderPieces:
         return self.sheet.write(Words("so by superposition  "), self.z[k], " = ", *parts, *several,
                                 settles=self.z[k].text, uses=uses)
 
-    def _named(self, k, pieces):
+    def _named(self, k: int, pieces: "Sequence[LoadPiece]") -> list[ToldPiece]:
         """Pieces by the names of the unit responses of a mode, what these are left out."""
         return [ToldPiece(piece.factor, piece.begins, None, self.sheet.letter(f"{LETTERS[piece.kind]}{k + 1}"),
                           piece.kind) for piece in pieces]
 
-    def _parts_of(self, i):
+    def _parts_of(self, i: int) -> list[PartOfMode]:
         """What a coordinate has of each mode."""
         size = max(abs(mode.shape[i]) for mode in self.modes)
         return [PartOfMode(complex(mode.shape[i]), z, bool(mode.root.imag)) for mode, z in zip(
             self.modes, self.z, strict=True) if abs(mode.shape[i]) > NOTHING * size]
 
-    def _motion(self, i, line):
+    def _motion(self, i: int, line: int) -> MotionByModes:
         """The motion of a coordinate: by the real and the imaginary part of what each piece brings about in each mode,
         whose factors have letters."""
         zero, told = self.table.zero, []
@@ -213,7 +216,7 @@ class ComplexModesUnderPieces:
                      for weight, part in zip(weights, unit.of(piece.kind), strict=True) if not weight.is_zero]
         return MotionByModes(MotionByPieces(told, self.tau, line, None), self._parts_of(i))
 
-    def _weights(self, i, k, j, taken):
+    def _weights(self, i: int, k: int, j: int, taken: complex) -> "list[Node]":
         """Of a coordinate by load j, or by the start where that is 0: a and b of Re (a − ib) f, by their letters."""
         mode = self.modes[k]
         whole = (2 if mode.root.imag else 1) * complex(mode.shape[i]) * complex(taken)
@@ -225,7 +228,7 @@ class ComplexModesUnderPieces:
             found.append(symbol if value > 0 else -symbol if value else self.table.zero)
         return found
 
-    def _know(self, i):
+    def _know(self, i: int) -> None:
         """Let the last line tell the letters of the factors of a coordinate."""
         for k in range(len(self.modes)):
             for j in (*([-1] if self.started else []), *self.taken):

@@ -41,7 +41,7 @@ def factor_told(value: complex) -> str:
     return f"({text})" if " " in text or text.startswith("−") else text
 
 
-def shape_told(names: "Sequence[str]", shape: "Sequence[complex]") -> list[Any]:
+def shape_told(names: "Sequence[str]", shape: Any) -> list[Any]:
     """Parts of x : y = 1 : (2 + 3·i)."""
     return [*[part for name in names for part in (" : ", Name(name))][1:], " = " + " : ".join(
         f"({told})" if " " in (told := complex_told(complex(x))) else told for x in shape)]

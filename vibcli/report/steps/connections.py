@@ -14,6 +14,7 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import LONG, EnergyPart
+from vibcli.report.steps.lettered import is_told_by_number
 from vibcli.report.steps.parts_in_series import tell_parts
 from vibcli.report.steps.sides import by_sides
 from vibcli.report.steps.small import AboutRest, Small
@@ -21,10 +22,11 @@ from vibcli.report.steps.step import WorkedSolution, number, place_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 if TYPE_CHECKING:
+    from vibcli.scene.energy_terms import Damper, Spring
+    from vibcli.scene.laws import Law
     from vibcli.symbolic.node import Node
 
 AT_ONCE = 4         # letters of a stretch or speed, up to which its energy stands in the same line
@@ -54,20 +56,20 @@ class Acting(NamedTuple):
 class Connections:
     """What the springs, weights, dampers and loads of a scene add; `others`: does something else add to V, too?"""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, others: bool) -> None:
         self.about, self.sheet, self.scene = about, sheet, about.scene
         springs = {term.owner for term in self.scene.springs} | {law.owner for law in self.scene.laws if not law.damper}
         acting = [{term.owner for term in terms} for terms in (self.scene.weights, self.scene.forces)]
         self._several = others or len(springs) + sum(map(len, acting)) > 1
-        self._damping: list | None = None
-        self._stretched: list = []
+        self._damping: list[Any] | None = None
+        self._stretched: list[Any] = []
         self._located: set[str] = set()
 
-    def _letter(self, letter, owner):
+    def _letter(self, letter: str, owner: str) -> str:
         """That of an element, its name with it where there are several."""
         return self.sheet.letter(letter, owner if self._several else "")
 
-    def _of(self, term):
+    def _of(self, term: Any) -> str:
         """The name of an element in letters, numbered where several terms are its own."""
         own = [one for one in (*self.scene.springs, *self.scene.dampers) if one.owner == term.owner]
         return term.owner if len(own) < 2 else f"{term.owner}{own.index(term) + 1}"
@@ -81,28 +83,28 @@ class Connections:
                 yield self._spring(law, self._slope(law, still.s, "k", "stiffness"), still)
         yield from self._weights()
 
-    def _beside(self, kind):
+    def _beside(self, kind: str) -> Iterator[Any]:
         """[(term, the same as a function of driven displacements)]."""
         return zip(getattr(self.scene, kind), self.scene.undriven(kind), strict=True)
 
-    def _slope(self, law, at, letter, what):
+    def _slope(self, law: "Law", at: "Node", letter: str, what: str) -> "Node":
         """The slope of a law at rest, told with a letter of its own."""
         tell_parts(self.about.problem, self.sheet, law.owner)
         slope = gradient(law.derivative).get(law.x, self.scene.table.zero)
-        node = self.about.rest(substitute([slope], {law.x: at})[0])
+        node = self.about.rest(substitute([slope], {law.x: at})[0], named=False)
         name = self.sheet.letter(letter, law.owner)
         value, unit = self.about.value(node), SLOPES[letter, self._unit(law.owner)]
-        shown = [" = ", node] if value is None or not is_number(node) else []
+        shown = [] if is_told_by_number(node, value) else [" = ", node]
         self.sheet.write(Words(f"{what} of {law.owner} at rest, the slope of its law:  "), Name(name), *shown,
                          *(() if value is None else number(value, unit)), settles=name, node=node, value=value,
                          unit="" if value is None else unit)
-        return node
+        return self.about.keep(self.about.letter(name), node) if self.about.is_long(node) else node
 
-    def _unit(self, owner):
+    def _unit(self, owner: str) -> str:
         """That of the force of an element."""
         return "N·m" if "torsion" in self._elements.get(owner, {}) else "N"
 
-    def _spring(self, term, k, still):
+    def _spring(self, term: "Law | Spring", k: "Node", still: "Law | Spring") -> tuple[EnergyPart, Acting]:
         about, sheet = self.about, self.sheet
         small, tension = about.small(term.s), about.tension(still.force(self.scene))
         loaded = not tension.is_zero
@@ -121,13 +123,14 @@ class Connections:
         more += [Words(",  "), Name(N), Words(f" its {what} at rest")] if loaded and not node.is_zero else []
         line = sheet.write(Name(V), *([] if formula.is_zero else [" = ", formula]), " = ", node, *more, settles=V,
                            node=node, uses=[told], joined=exact and letters(moves) <= AT_ONCE)
-        kept = shown if loaded and about.know(shown, about.value(tension)) else tension
+        kept = about.keep(shown, tension) if loaded else tension
         found = EnergyPart(V, node, line), Acting(term.owner, tension, shown, k, small, line, hasattr(term, "weight"),
                                                   kept)
         self._stretched.append((term, *found))
         return found
 
-    def _like_another(self, term, small, tension, k):
+    def _like_another(self, term: "Law | Spring", small: Small, tension: "Node",
+                      k: "Node") -> tuple[EnergyPart, Acting] | None:
         """V of a spring that is stretched like one before it, and as stiff; None of others."""
         for first, energy, acting in self._stretched:
             if (acting.k, acting.tension, acting.linear) == (k, tension, hasattr(term, "weight")) and is_zero(
@@ -138,7 +141,7 @@ class Connections:
                 return EnergyPart(V, energy.node, line), acting._replace(name=term.owner, s=small, line=line)
         return None
 
-    def _told(self, term, small, moves, letter, loaded):
+    def _told(self, term: "Law | Spring", small: Small, moves: "Node", letter: str, loaded: bool) -> tuple[int, bool]:
         """The line of a stretch, counted from rest, and whether it is told exactly."""
         s, exact = self._exactly(small, moves)
         s = by_sides(self.about, term.s, s)
@@ -147,7 +150,7 @@ class Connections:
         return self.sheet.write(*self._across(f"stretch of {term.owner}, from rest", term), Name(letter), " = ",
                                 *parts, moves, *more, settles=letter, node=moves), exact
 
-    def _across(self, words, term):
+    def _across(self, words: str, term: Any) -> "list[Node | str | Words]":
         """Words on an element, and the places of points between which it is, that no line before tells; none of points
         that go straight."""
         parts: list[Any] = [Words(words)]
@@ -163,21 +166,21 @@ class Connections:
         return [*parts, Words(":  ")]
 
     @property
-    def _elements(self):
+    def _elements(self) -> dict[str, Any]:
         """{name: record} of the springs and dampers."""
         spec = self.about.problem.spec
         return {**(spec.get("springs") or {}), **(spec.get("dampers") or {})}
 
-    def _exactly(self, small, moves):
+    def _exactly(self, small: Small, moves: "Node") -> "tuple[Node, bool]":
         """What a function of the coordinates is, counted from rest, and whether it is what is told of it."""
         s = textbook(self.about.shifted(small.s) - self.about.rest(small.still, named=False))
         return s, not small.bends and plain(s) == plain(textbook(moves))
 
-    def _turns(self, s):
+    def _turns(self, s: "Node") -> bool:
         """Does what moves along s turn in time, so that a weight is a load in time there?"""
         return any(textbook(slope).mask & self.scene.time.mask for x, slope in gradient(s).items() if x in self.scene.q)
 
-    def _weights(self):
+    def _weights(self) -> Iterator[tuple[EnergyPart, Acting]]:
         """The weight of each body, its height to the second order; of several all in a line."""
         acting = [Acting(term.owner, term.weight, term.weight, None, self.about.small(term.s), None)
                   for term in self.scene.weights if not self._turns(term.s)]
@@ -201,7 +204,7 @@ class Connections:
         for i, one in enumerate(acting):
             yield EnergyPart(V, node if not i else None, line), one._replace(line=line)
 
-    def _dampers(self):
+    def _dampers(self) -> "list[tuple[Damper, Node]]":
         """[(what damps, its coefficient at rest)]."""
         if self._damping is None:
             laws = [(law, self._slope(law, self.scene.table.zero, "c", "coefficient")) for law in self.scene.laws
@@ -251,7 +254,7 @@ class Connections:
             for pair, b in one.s.second.items():
                 found.setdefault(pair, []).append((one.kept or one.tension) * b)
         entries = {pair: self.about.tidy(table.total(nodes)) for pair, nodes in found.items()}
-        return {pair: node for pair, node in entries.items() if not node.is_zero}
+        return {pair: node for pair, node in entries.items() if not (node.is_zero or self.about.is_rounding(node))}
 
     def damping_matrix(self) -> "dict[tuple[int, int], Node]":
         """C = Σ c ∇s ∇sᵀ."""

@@ -1,10 +1,11 @@
 """The first lines: what the coordinates are, where they rest, what constraints leave of the others."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.in_motion import short_form
+from vibcli.report.steps.lengths import with_lengths
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -42,7 +43,7 @@ def tell_coordinates(problem: "Problem", scene: "Scene", sheet: WorkedSolution) 
         sheet.write(Words("and by the closed loop  " * (not i)), Name(name), Words(f":  {what}"), joined=True)
 
 
-def _sense(scene, name, what):
+def _sense(scene: "Scene", name: str, what: str) -> str:
     """Which way a body moves or turns where its coordinate grows; '' where that is no such direction."""
     kind, _, owner = what.partition(" of ")
     body, q, zero = scene.bodies.get(owner), scene.symbol(name), scene.table.zero
@@ -64,10 +65,12 @@ def tell_constraints(problem: "Problem", sheet: WorkedSolution) -> None:
     why = WHY.get(forms.pop(), TIED) if len(forms) == 1 else TIED
     known = {name: short_form(node) for name, node in scene.dependent.items() if name not in loops}
     short = {name: node for name, node in known.items() if letters(node) <= SHORT}
-    for group in ([short] if short else []) + [{name: node} for name, node in known.items() if name not in short]:
+    long = {name: node for name, node in known.items() if name not in short}
+    shown = dict(zip(long, with_lengths(sheet, list(long.values())), strict=True))
+    for group in ([short] if short else []) + [{name: node} for name, node in long.items()]:
         about = {name: f"{what}  " if (what := words_of(problem, name)) else "" for name in group}
         told = [part for name, node in group.items() for part in (
-            Words(",  "), Words(about[name]), Name(name), " = ", node)][1:]
+            Words(",  "), Words(about[name]), Name(name), " = ", shown.get(name, node))][1:]
         sheet.write(*told, Words(f"   ({why})"), settles=", ".join(group),
                     node=next(iter(group.values())) if len(group) == 1 else None)
 
@@ -77,7 +80,7 @@ def tell_conditions(problem: "Problem", sheet: WorkedSolution) -> list[int]:
     leave of a coordinate; the numbers of their lines."""
     if problem.scene.loops is None:
         return []
-    found: dict = {}
+    found: dict[Any, Any] = {}
     scene, loose = problem.scene, problem.system.scene_with_multipliers
     names = [name for name in scene.dependent if name not in scene.loops.names]
     known = dict(zip(map(loose.symbol, names), copied([scene.dependent[name] for name in names], loose.table),
@@ -85,8 +88,9 @@ def tell_conditions(problem: "Problem", sheet: WorkedSolution) -> list[int]:
     for constraint in loose.constraints:
         if not is_zero(substitute([constraint.node], known)[0]):
             found.setdefault(constraint.whole, []).append(textbook(constraint.node))
+    shown = {whole: with_lengths(sheet, copied(nodes, scene.table)) for whole, nodes in found.items()}
     return [sheet.write(Words(f"'{whole}' holds:  "), *[part for node in nodes for part in (
-        Words(",  "), node, " = 0")][1:], settles=f"condition {whole}") for whole, nodes in found.items()]
+        Words(",  "), node, " = 0")][1:], settles=f"condition {whole}") for whole, nodes in shown.items()]
 
 
 def tell_loops(about: AboutRest, sheet: WorkedSolution, conditions: Iterable[int]) -> None:

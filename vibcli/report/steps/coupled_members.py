@@ -35,7 +35,7 @@ def tell_coupled_steady(problem: "Problem", sheet: WorkedSolution, Omega: float,
         return
 
 
-def _write(problem, sheet, parts, Omega):
+def _write(problem: "Problem", sheet: WorkedSolution, parts: "tuple[ndarray, ndarray, ndarray]", Omega: float) -> None:
     import numpy as np
 
     H, C, F = parts
@@ -63,7 +63,7 @@ def _write(problem, sheet, parts, Omega):
                     joined=i > 0)
 
 
-def _phasor(problem, name, Omega):
+def _phasor(problem: "Problem", name: str, Omega: float) -> complex:
     """The phasor of a coordinate at a frequency, by the engine."""
     from vibcli.symbolic.syntax import NameRef
 

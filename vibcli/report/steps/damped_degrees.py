@@ -1,7 +1,8 @@
 """The steps of damping of several degrees of freedom: is it proportional, so that C M⁻¹ K is symmetric (Caughey &
 O'Kelly 1965) and normal coordinates stay apart? Then the roots of det(λ²M + λ(C + G) + K) = 0."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Name, Words
@@ -12,6 +13,9 @@ from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, told
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.mode_sequence import Modes
+    from vibcli.symbolic.expression import Table
     from vibcli.symbolic.node import Node
 
 DETERMINANT = "det(lambda^2*M + lambda*C + K)"
@@ -50,7 +54,7 @@ def tell_damped(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, 
         tell_damped_shapes(about, sheet, found, lines)
 
 
-def _again(damped, polynomial):
+def _again(damped: "Modes", polynomial: "Sequence[Node]") -> str:
     """What is said where λ = 0 is first told, of more such roots than modes: of these λ² comes out of the
     determinant."""
     powers = [] if polynomial is None else [i for i, part in enumerate(reversed(polynomial)) if not part.is_zero]
@@ -59,7 +63,8 @@ def _again(damped, polynomial):
     return ", a double root" if powers[0] == 2 else f", a root of order {powers[0]}"
 
 
-def _polynomial(about, sheet, found, head, uses):
+def _polynomial(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, head: Sequence[Any],
+                uses: list[int]) -> "tuple[list[int], list[Node]]":
     """Write down the determinant by powers of λ and its coefficients: (the numbers of the lines, the letters of the
     coefficients from the highest power on)."""
     known = damped_coefficients(about, found)
@@ -73,7 +78,8 @@ def _polynomial(about, sheet, found, head, uses):
     return lines, [name if name in dict(here) else about.table.zero for name in names]
 
 
-def _tell_pair(about, sheet, mode, lines, polynomial):
+def _tell_pair(about: AboutRest, sheet: WorkedSolution, mode: "DampedMode", lines: list[int],
+               polynomial: "list[Node]") -> None:
     """λ = −δ ± iω_d and ζ; each vanishing with the real and the imaginary part of the polynomial."""
     value, table, k = complex(mode.eigenvalue), about.table, mode.index
     real = f"{told(value.real)} " if value.real else ""
@@ -89,7 +95,7 @@ def _tell_pair(about, sheet, mode, lines, polynomial):
                 value=float(mode.zeta), uses=lines, joined=True)
 
 
-def _at(table, polynomial, x, y):
+def _at(table: "Table", polynomial: "Sequence[Node]", x: "Node", y: "Node") -> "list[Node]":
     """[real part, imaginary part] of a polynomial at x + iy."""
     real = imaginary = table.zero
     for coefficient in polynomial:
@@ -97,7 +103,8 @@ def _at(table, polynomial, x, y):
     return [real, imaginary]
 
 
-def _proportional(about, sheet, found, of, uses):
+def _proportional(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, of: Mapping[str, str],
+                  uses: list[int]) -> list[int]:
     """The line on C M⁻¹ K of two degrees; none of more, and of a mass matrix that is not diagonal."""
     if not _is_simple(about, found):
         return []
@@ -111,7 +118,7 @@ def _proportional(about, sheet, found, of, uses):
         " = ", other]), settles="proportional", uses=uses)]
 
 
-def _is_simple(about, found):
+def _is_simple(about: AboutRest, found: SmallEquations) -> bool:
     return len(about.scene.q) == 2 and all(i == j for i, j in found.M) and len(found.M) == 2
 
 

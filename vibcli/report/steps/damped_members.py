@@ -5,6 +5,7 @@ integrals along members and sums over what is lumped:
     aₖ(0) = Xₖ·(M u̇ + (λₖM + C) u)/nₖ,   twice that of one of a pair.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
@@ -17,7 +18,10 @@ from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.results.modal_signals import ModalSignal
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 FIRST = 3           # damped modes that are told
 ROOT = 1e-8         # of D at a root: its least singular value beside the largest one
@@ -47,7 +51,7 @@ def tell_damped_roots(problem: "Problem", sheet: WorkedSolution) -> None:
         return
 
 
-def _roots(problem, sheet):
+def _roots(problem: "Problem", sheet: WorkedSolution) -> "list[DampedMode]":
     """The first damped modes that oscillate, written down; none where D is not singular at their roots."""
     if problem.modal.damped is None:
         return []
@@ -62,7 +66,7 @@ def _roots(problem, sheet):
     return modes
 
 
-def _singular(problem, roots):
+def _singular(problem: "Problem", roots: Sequence[complex]) -> bool:
     """Is D singular at each of the roots?"""
     import numpy as np
 
@@ -81,7 +85,7 @@ def _singular(problem, roots):
     return True
 
 
-def _write(problem, sheet, modes):
+def _write(problem: "Problem", sheet: WorkedSolution, modes: "list[DampedMode]") -> None:
     started = problem.spec.get("initial") is not None or bool(problem.spec.let_go)
     M, C = (Name(sheet.letter(letter)) for letter in "MC")
     of_start = [Words("of the start each has  "), "a_k(0) = X_k·(", M, "·", Name("u'"), " + (λ_k·", M, " + ", C,
@@ -100,7 +104,7 @@ def _write(problem, sheet, modes):
             _at_place(problem, sheet, (signal, tree.args[0].name, modes, unit), told_of, line)
 
 
-def _root(sheet, mode, line):
+def _root(sheet: WorkedSolution, mode: "DampedMode", line: int) -> int:
     """The line of λ, δ and ω_d of a mode."""
     root, k = complex(mode.eigenvalue), mode.index
     sheet.write(Name(sheet.letter(f"lambda{k}")), f" = {complex_told(root)}", Words(" 1/s   (by a search),  "),
@@ -110,7 +114,8 @@ def _root(sheet, mode, line):
                        value=-root.real, unit="1/s", joined=True)
 
 
-def _at_place(problem, sheet, asked, told_of, line):
+def _at_place(problem: "Problem", sheet: WorkedSolution, asked: "tuple[ModalSignal, str, list[DampedMode], str]",
+              told_of: set[tuple[str, float]], line: int) -> None:
     """The line of what the modes add up to at a place, free of loads: from the start, or after they have ended."""
     signal, name, modes, unit = asked
     last = signal.modal.stretches(0.0)[-1]
@@ -135,6 +140,6 @@ def _at_place(problem, sheet, asked, told_of, line):
                     settles=f"motion of {name}", uses=[line])
 
 
-def _time_from(problem, sheet, start):
+def _time_from(problem: "Problem", sheet: WorkedSolution, start: float) -> "Node":
     """The symbol of the time from an instant on."""
     return problem.scene.table.parameter(sheet.letter("tau")) if start else problem.scene.time

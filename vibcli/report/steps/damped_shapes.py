@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.results.problem import Problem
 
 PARTS = "re", "im", "abs", "arg"
 MOST = 3            # coordinates
@@ -40,7 +41,7 @@ def tell_damped_shapes(about: AboutRest, sheet: WorkedSolution, found: SmallEqua
             _DampedShape(about, sheet, found, mode, shape).write(of_mode, uses)
 
 
-def _asked(problem) -> "Iterator[tuple[str, str, int, int]]":
+def _asked(problem: "Problem") -> "Iterator[tuple[str, str, int, int]]":
     """(text, part, the number of the mode, the place of the coordinate) of what is asked of shapes."""
     rules, names = problem.spec.get("variants"), problem.scene.coordinates
     for one in (*(rules.ask if rules is not None else ()), *problem.spec.answers):
@@ -55,7 +56,7 @@ def _asked(problem) -> "Iterator[tuple[str, str, int, int]]":
 
 class _DampedShape:
     def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations, mode: "DampedMode",
-                 shape: "Sequence[complex]"):
+                 shape: "Sequence[complex]") -> None:
         self.about, self.sheet, self.found, self.k, self.shape = about, sheet, found, mode.index, shape
         self.table, self.names, self.root = about.table, about.scene.coordinates, complex(mode.eigenvalue)
         delta, omega_d = (about.letter(sheet.letter(f"{name}{self.k}")) for name in ("delta", "omega_d"))
@@ -80,7 +81,7 @@ class _DampedShape:
             if i:
                 self._settle(text, part, i, ratios[i], line)
 
-    def _settle(self, text, part, i, ratio, line):
+    def _settle(self, text: str, part: str, i: int, ratio: ComplexNode, line: int) -> None:
         """Let the last line settle a part of the ratio of a coordinate to the first."""
         node = {"re": lambda: ratio.real, "im": lambda: ratio.imaginary,
                 "abs": lambda: self.table.sqrt(ratio.real ** 2 + ratio.imaginary ** 2),
@@ -90,11 +91,11 @@ class _DampedShape:
         self.sheet.write(settles=text, node=node, value=value, joined=True, uses=[line],
                          unit="rad" if part == "arg" else self._unit(i))
 
-    def _unit(self, i):
+    def _unit(self, i: int) -> str:
         first, own = ("m" if self.about.problem.system.dimension(self.names[k]) else "rad" for k in (0, i))
         return "" if first == own else f"{own}/{first}"
 
-    def _sizes(self):
+    def _sizes(self) -> list[Name | str | Words]:
         """Parts of the ratios of amplitudes, and how much each is ahead."""
         parts: list[Any] = []
         for i, x in enumerate(self.shape[1:], 1):
@@ -103,7 +104,7 @@ class _DampedShape:
                 i)), Words(",  "), Name(self.names[i]), Words(" is  "), told(abs(phase(x))), Words(f" rad {sense}")]
         return parts
 
-    def _entry(self, i, j, root: ComplexNode) -> ComplexNode:
+    def _entry(self, i: int, j: int, root: ComplexNode) -> ComplexNode:
         """λ²Mᵢⱼ + λ(Cᵢⱼ + Gᵢⱼ) + Kᵢⱼ."""
         M, C, G, K = (part.get((i, j), self.table.zero) for part in self.found[:4])
         square, rate = root.times(root), C + G
@@ -124,7 +125,7 @@ class _DampedShape:
                 return [Words(f"from row {row + 1}  "), y, "/", x, " = ", shown, f" = {complex_told(found)}"], ratio
         return None
 
-    def _of_three(self, line) -> list[ComplexNode]:
+    def _of_three(self, line: int) -> list[ComplexNode]:
         """The ratios by letters, which the last line tells together: rows of the equations vanish with them."""
         letters = [ComplexNode(*(self.about.letter(self.sheet.letter(f"u{i + 1}", f"{part}{self.k}"))
                                  for part in ("re", "im"))) for i in range(1, len(self.shape))]

@@ -4,6 +4,9 @@ section 12-3), driven displacements d leaving the modes at −K⁻¹K_d d:
     C = Σ 2ζω r rᵀ/(uᵀr),   C_d = Σ (2ζ/ω) r uᵀK_d/(uᵀr),   r = Mu.
 """
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.mechanics.given_damping_in_letters import excitation_by_damping, proportional
 from vibcli.mechanics.linearisation import at_position
@@ -19,6 +22,10 @@ from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.transfer_between_tables import copied
+
+if TYPE_CHECKING:
+    from vibcli.report.steps.step import WorkedLine
+    from vibcli.symbolic.node import Node
 
 MODAL = "modal"
 MOST = 4            # coordinates, beyond which the entries are too many to read
@@ -37,7 +44,7 @@ def with_damping_by_modes(about: AboutRest, sheet: WorkedSolution, found: SmallE
 class _Damping:
     """What ratios of modes add, by the letters of these modes."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -> None:
         self.about, self.sheet, self.found, self.table = about, sheet, found, about.table
         self.n, record = len(about.scene.q), about.problem.spec.get("damping")
         if MODAL not in record or self.n > MOST or about.problem.numeric.has_free_symbols:
@@ -45,7 +52,7 @@ class _Damping:
         ratios = [about.scene.lower(one) for one in record[MODAL]]
         self.modes = [self._mode(k, ratios[min(k, len(ratios)) - 1]) for k in range(1, self.n + 1)]
 
-    def _mode(self, k, zeta):
+    def _mode(self, k: int, zeta: "Node") -> "tuple[Node, Node, list[Node], list[Node], Node]":
         """(ζ, ω, M u, u, uᵀMu)."""
         names, lines = self.about.scene.coordinates, {line.settles: line for line in self.sheet.steps}
         told = [lines.get(f"mode[{k}][{name}]") for name in names]
@@ -57,7 +64,7 @@ class _Damping:
                                 or [self.table.zero]) for i in range(self.n)]
         return zeta, self._known(omega), row, u, self.table.total([a * b for a, b in zip(row, u, strict=True)])
 
-    def _known(self, line):
+    def _known(self, line: "WorkedLine") -> "Node":
         letter = self.about.letter(line.letter or line.settles)
         self.about.know(letter, line.value)
         return letter
@@ -80,12 +87,13 @@ class _Damping:
         lines = [*self.found.lines, self.line]
         return self.found._replace(C=C, drive=self._drive(), lines=[*lines, sheet.last])
 
-    def _unit_of_driven(self, i, name):
+    def _unit_of_driven(self, i: int, name: str) -> str:
         """That of the factor of the speed of what is driven."""
         known, q = input_dimension(self.about.problem.spec, name), self.about.scene.coordinates[i]
         return "" if known is None else units.text(entry_dimension("C", self.about.problem.system.dimension(q), known))
 
-    def _entry(self, i, j, node, first=False, twice=False, words="", driven=""):
+    def _entry(self, i: int, j: int, node: "Node", first: bool = False, twice: bool = False, words: str = "",
+               driven: str = "") -> "Node":
         """The letter of an entry, which is written down."""
         name, value = self.sheet.letter(f"{self.letter}{i + 1}{j + 1}"), self.about.value(node)
         unit = unit_of_entry(self.about.problem, i, j, "C") if j < self.n else self._unit_of_driven(i, driven)
@@ -97,7 +105,7 @@ class _Damping:
         self.about.know(letter, value)
         return letter
 
-    def _drive(self):
+    def _drive(self) -> "dict[int, Node]":
         """{i: Q(t)} with what damping does of driven displacements; Untold where that is not the engine's."""
         symbolic, drive = self.about.problem.symbolic, dict(self.found.drive)
         opened = symbolic.configuration.with_inputs
@@ -119,7 +127,7 @@ class _Damping:
         self._require(drive)
         return drive
 
-    def _require(self, drive):
+    def _require(self, drive: "Mapping[int, Node]") -> None:
         """Untold where right sides are not those of the engine at some instants."""
         more, time = excitation_by_damping(self.about.problem.symbolic), self.about.scene.time.name
         for t in INSTANTS:

@@ -22,7 +22,7 @@ DEGREES = re.compile(r"^[\d.\s]+deg$")
 class Degree:
     """M, C, K of the only coordinate, and the letters ω, δ, ζ, ω_d on a sheet."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -> None:
         self.problem, self.about, self.sheet, self.found = about.problem, about, sheet, found
         zero = about.table.zero
         self.M, self.C, self.K = (part.get((0, 0), zero) for part in (found.M, found.C, found.K))
@@ -47,7 +47,7 @@ class Degree:
         return self.sheet.write(*parts, *more, settles=settles, node=node, value=value, unit=unit, uses=list(uses),
                                 joined=joined, letter=letter)
 
-    def _as_given(self, name, x):
+    def _as_given(self, name: str, x: float) -> str:
         """A number to put in: of an angle that the file gives in degrees these, with its sign in brackets."""
         record = self.problem.spec.parameters.get(name, {})
         given = record["value"].text if "value" in record else ""

@@ -58,7 +58,7 @@ def tell_direction(problem: "Problem", sheet: WorkedSolution, asked: "Expression
 class _Entries:
     """k_xx, k_xy, k_yy of a place, each written down once."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution, tree: "QuantityRef", nodes: "list[Node]"):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution, tree: "QuantityRef", nodes: "list[Node]") -> None:
         self.sheet, self.tree, self.nodes = sheet, tree, nodes
         rules = problem.spec.get("variants")
         of = {one.asked.tree.indices[0] for one in (*(rules.ask if rules is not None else ()), *problem.spec.answers)

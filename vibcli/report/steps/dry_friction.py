@@ -70,7 +70,7 @@ def coulomb(problem: "Problem") -> Coulomb | None:
     return Coulomb(*map(short_form, (m, k, F, R, held.rows[0].within)))
 
 
-def _write(problem, sheet, found, place, lines):
+def _write(problem: "Problem", sheet: WorkedSolution, found: Coulomb, place: float, lines: "Sequence[int]") -> None:
     floats = problem.numeric.floats
     m, k, F, R, R0 = evaluate(list(found), Floats, floats)
     name, unit = Name(problem.scene.coordinates[0]), "m" if problem.system.dimension(
@@ -109,7 +109,7 @@ def _write(problem, sheet, found, place, lines):
         uses=[omega_line, shorter, stuck])
 
 
-def _hold(problem, turns, half):
+def _hold(problem: "Problem", turns: "Sequence[float]", half: float) -> None:
     """Untold where the engine does not come to rest there and then."""
     end = (len(turns) - 1) * half
     known = problem.scene.coordinates[0]

@@ -7,8 +7,8 @@
 with Z = k − ω²M of what acts on an end.
 """
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.analyses.closed_form.member_shapes import LEFT, SLOPE, shape
 from vibcli.base.errors import PhysicsError
@@ -27,19 +27,19 @@ NOTHING, BESIDE = 1e-6, 1.05        # relative: of what vanishes at a root, and 
 class Ends:
     """The lines on the constants of a chain that is one piece, and what they make vanish at each root."""
 
-    def __init__(self, found: "FrequencyEquation", sheet: WorkedSolution):
+    def __init__(self, found: "FrequencyEquation", sheet: WorkedSolution) -> None:
         self.found, self.sheet, self.x = found, sheet, found.wave_number
         self.table = self.x.table
         piece = found.pieces[0].piece
         self.stiffness = piece.tension if piece.bending.is_zero else piece.bending
         self.beta = self.x / piece.length
-        self._vanishes: list[tuple] = []
+        self._vanishes: list[tuple[Any, ...]] = []
 
     def write(self, uses: list[int]) -> list[int] | None:
         """Write down the shape by the left end and what the right end asks; None where that is not simple."""
         return self._second_order(uses) if self.found.order == 2 else self._fourth_order(uses)
 
-    def _second_order(self, uses):
+    def _second_order(self, uses: list[int]) -> list[int]:
         """X = C f(βx), C (S β f′ + Z f) = 0 at βL."""
         (left,), (right,) = self.found.impedances
         along, table = self.table.parameter("βx"), self.table
@@ -54,7 +54,7 @@ class Ends:
         return [self.sheet.write(Words("the right end asks for  "), Name(constant), "·", Factor(table.total(terms)),
                                  " = 0", settles="right end", uses=[line, *uses])]
 
-    def _fourth_order(self, uses):
+    def _fourth_order(self, uses: list[int]) -> list[int] | None:
         """X = C₁ f + C₂ g, and two conditions at βL."""
         ends, table = self.found.impedances, self.table
         if any(Z is not None and not Z.is_zero for Z in ends[0]) or len(ends[1]) > 2:
@@ -78,7 +78,7 @@ class Ends:
                              settles="sigma", uses=lines)
         return lines
 
-    def _combined(self, constants, nodes):
+    def _combined(self, constants: Sequence[str], nodes: "Sequence[Node]") -> list[Factor | Name | str]:
         return [part for name, node in zip(constants, nodes, strict=True) for part in (
             " + ", Name(name), "·", Factor(node))][1:]
 
@@ -87,14 +87,14 @@ class Ends:
         third = _sum(_slope(_slope(_slope(f))), self.x)
         if Z is None or Z.is_zero:
             return _sum(f, self.x) if Z is None else third
-        return self.stiffness * self.beta ** 3 * third - Z * _sum(f, self.x)
+        return cast("Node", self.stiffness * self.beta ** 3 * third - Z * _sum(f, self.x))
 
     def _moment(self, f: "Mapping[str, Node]", Z: Any) -> "Node":
         """f′ where it is held, f″ where it is free, else EI β² f″ + Z β f′."""
         second, first = _sum(_slope(_slope(f)), self.x), _sum(_slope(f), self.x)
         if Z is None or Z.is_zero:
             return first if Z is None else second
-        return self.stiffness * self.beta ** 2 * second + Z * self.beta * first
+        return cast("Node", self.stiffness * self.beta ** 2 * second + Z * self.beta * first)
 
     def hold(self, root: float, floats: Mapping[str, float]) -> None:
         """PhysicsError where what the lines make vanish does not at a root."""
@@ -110,5 +110,5 @@ def _sum(terms: "Mapping[str, Node]", argument: "Node") -> "Node":
     return table.total([factor * table.call(name, argument) for name, factor in terms.items()])
 
 
-def _slope(terms):
+def _slope(terms: "Mapping[str, Node]") -> "dict[str, Node]":
     return {SLOPE[name][0]: SLOPE[name][1] * factor for name, factor in terms.items()}

@@ -5,6 +5,7 @@
 then the sums V and T, and Lagrange's equations of these to order n − 1 (Kovacić & Radomirović 2018, 9.4 and 9.5).
 """
 
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import isclose
 from operator import mul
@@ -24,8 +25,10 @@ from vibcli.symbolic.nested_form import letters
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from vibcli.mechanics.spring_shares import SpringShares
     from vibcli.results.expansions import Expansion
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 LONG = 300              # letters of all terms, beyond which they are told in numbers
 DIGITS, NEAR = 160, 8   # in which a remainder is looked at, and where: 10^−NEAR from rest
@@ -43,13 +46,13 @@ def tell_expansion(problem: "Problem", sheet: WorkedSolution) -> None:
     _Told(problem, sheet, one, order).write()
 
 
-def _chosen(problem, found, order):
+def _chosen(problem: "Problem", found: "Sequence[Expansion]", order: int) -> "Expansion":
     """In letters where these are not long and leave a remainder of a higher order; else in numbers."""
     short = found[0].letters and sum(letters(c) for terms in found[0].energies.values() for c in terms.values()) <= LONG
     return found[0] if len(found) == 1 or (short and _remains_small(problem, found[0], order)) else found[-1]
 
 
-def _remains_small(problem, one, order) -> bool:
+def _remains_small(problem: "Problem", one: Any, order: int) -> bool:
     """Is what V and T have beyond their terms of a higher order, half as far from rest less by more than 2^order?"""
     from mpmath import mp, mpf, workdps
 
@@ -61,7 +64,7 @@ def _remains_small(problem, one, order) -> bool:
         rest = dict(zip(place, evaluate(list(place.values()), arithmetic, known), strict=True))
         rest = {**known, scene.time.name: mpf(0), **{x.name: mpf(0) for x in (*scene.v, *scene.a)}, **rest}
 
-        def remainder(which, far):
+        def remainder(which: str, far: Any) -> Any:
             off = {x.name: far * (i + 2) / (i + 1) for i, x in enumerate(moved)}
             nodes = [ENERGIES[which](scene)]
             (there,), (here,) = (evaluate(nodes, arithmetic, values) for values in (
@@ -80,7 +83,7 @@ def _remains_small(problem, one, order) -> bool:
 class _Told:
     """The lines of an Expansion to an order."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution, one: "Expansion", order: int):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution, one: "Expansion", order: int) -> None:
         self.problem, self.sheet, self.one, self.order = problem, sheet, one, order
 
     def write(self) -> None:
@@ -92,7 +95,7 @@ class _Told:
                                  settles=self._to_order("work"), node=self._node(W), uses=[V])] if W else []
         self._equations([V, self._energy("T", ()), *work])
 
-    def _spring(self, name):
+    def _spring(self, name: str) -> Iterator[int]:
         """Its deflection, then its energy; nothing of what stores none."""
         one, shares, sheet = self.one, self.one.springs[name], self.sheet
         whole = _added(shares.material, shares.geometric)
@@ -108,7 +111,7 @@ class _Told:
             Words(f"with its law, to order {self.order}:  "), Name(V), " = ", *self._sum(whole), *self._shared(shares),
             settles=self._to_order(V), node=self._node(whole), uses=[line, self._line_of(V)])
 
-    def _shared(self, shares):
+    def _shared(self, shares: "SpringShares") -> tuple[Any, ...]:
         """What of an energy the material makes, where the geometry adds to it."""
         if not shares.geometric:
             return ()
@@ -117,7 +120,7 @@ class _Told:
         return (Words(",  of it  "), *self._sum(shares.material),
                 Words("  by its material, were Δ of the first order alone, the rest by its geometry"))
 
-    def _rest(self, lines):
+    def _rest(self, lines: list[int]) -> list[int]:
         """The lines of all parts of V: those of the springs, and of what is left."""
         left = of_others(self.problem, self.order, self.one.letters)
         if not left:
@@ -127,14 +130,14 @@ class _Told:
         return [*lines, self.sheet.write(Words(f"{others}to order {self.order}:  "), Name(letter), " = ",
                                          *self._sum(left), settles=self._to_order(letter), node=self._node(left))]
 
-    def _energy(self, which, uses):
+    def _energy(self, which: str, uses: Sequence[int]) -> int:
         letter, terms = self.sheet.letter(which), self.one.energies[which]
         words = Words("summed:  " if uses else f"to order {self.order}:  ")
         return self._told(letter, terms) or self.sheet.write(
             words, Name(letter), " = ", *self._sum(terms), settles=self._to_order(letter), node=self._node(terms),
             uses=uses)
 
-    def _equations(self, uses):
+    def _equations(self, uses: list[int]) -> None:
         """Lagrange's equations of T and V to one order less."""
         equations, missing = self.one.equations, left_out(self.problem, self.one)
         for i, (name, terms) in enumerate(zip(self.problem.scene.coordinates, equations or (), strict=False)):
@@ -144,18 +147,18 @@ class _Told:
                              *([Words(f"   (without {' and '.join(missing)})")] if missing and not i else ()),
                              settles=f"expanded equation of {name}", node=self._node(terms), uses=uses)
 
-    def _sum(self, terms):
+    def _sum(self, terms: Any) -> Any:
         return sum_of(self.problem, self.one, terms)
 
-    def _node(self, terms):
+    def _node(self, terms: Any) -> "Node | None":
         table = self.problem.scene.table
         return table.sum(*((self.one.product(powers) * c, 1) for powers, c in terms.items())) if (
             self.one.letters) else None
 
-    def _to_order(self, letter):
+    def _to_order(self, letter: str) -> str:
         return f"{letter} to order {self.order}"
 
-    def _told(self, letter, terms):
+    def _told(self, letter: str, terms: Any) -> int | None:
         """The number of the line that told these terms before; None where none did."""
         found = next((line for line in self.sheet.steps if line.settles == letter and line.node is not None), None)
         scene, draw = self.problem.scene.resting, Random(letter)
@@ -172,12 +175,12 @@ class _Told:
                 return None
         return found.number
 
-    def _line_of(self, letter):
+    def _line_of(self, letter: str) -> int:
         """The number of the line that settles a letter to the second order; None where there is none."""
         return next((line.number for line in self.sheet.steps if line.settles == letter), None)
 
 
-def _added(one: "Mapping[tuple[int, ...], Any]", other: "Mapping[tuple[int, ...], Any]") -> dict:
+def _added(one: "Mapping[tuple[int, ...], Any]", other: "Mapping[tuple[int, ...], Any]") -> dict[tuple[int, ...], Any]:
     """{powers: factor} of a sum."""
     return {powers: one[powers] + other[powers] if powers in one and powers in other else
             one.get(powers, other.get(powers)) for powers in sorted({*one, *other}, key=lambda p: (sum(p), p[::-1]))}

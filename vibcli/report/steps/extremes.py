@@ -6,8 +6,9 @@ from a start at rest first at τ = π/ω_d, with x = x_r − A e^{−πδ/ω_d},
 
 (Thomson & Dahleh 1998, section 4.3)."""
 
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.notation.as_printed import as_printed
@@ -62,7 +63,7 @@ def tell_extremes(degree: Degree, swing: Swing) -> None:
     numbers = sorted({turn.number for _, turn, _ in found if turn.letter is not None})
     if len(numbers) > 1:
         found = list(_found(degree, swing, asked, {number: place for place, number in enumerate(numbers, 1)}))
-    lines: dict = {}
+    lines: dict[Any, Any] = {}
     for turn in sorted((turn for _, turn, _ in found), key=lambda turn: turn.number):
         if turn.instant is not None and (swing.B is None or turn.letter is not None) and turn.number not in lines:
             lines[turn.number] = _tell_turn(degree, swing, turn, swing.beside or bool(lines))
@@ -71,7 +72,8 @@ def tell_extremes(degree: Degree, swing: Swing) -> None:
         _tell(degree, one, node, lines.get(turn.number, swing.line), joined=degree.sheet.last > before)
 
 
-def _found(degree, swing, asked, numbered):
+def _found(degree: Degree, swing: Swing, asked: Sequence[Any],
+           numbered: dict[Any, Any]) -> "Iterator[tuple[Expression, TurningBack, Node]]":
     """(what is asked, its TurningBack, its expression), with letters t₁, t₂ … by the numbers of places."""
     for one in asked:
         form = _form_of(degree, swing, one, found_at(degree.problem, degree.sheet, one), numbered)
@@ -91,7 +93,7 @@ def asked_extremes(degree: Degree) -> "list[Expression]":
             and (one.tree.args[0].name, one.tree.args[0].primes) == (degree.name, 0)]
 
 
-def _tell_turn(degree, swing, turn, joined):
+def _tell_turn(degree: Degree, swing: Swing, turn: TurningBack, joined: bool) -> int:
     """The line of where it turns back."""
     table, t, rate = degree.about.table, degree.problem.scene.time, _rate(degree)
     if swing.B is None:
@@ -110,7 +112,7 @@ def _tell_turn(degree, swing, turn, joined):
                               uses=[swing.line], joined=joined)
 
 
-def _tell(degree, asked, node, line, joined):
+def _tell(degree: Degree, asked: "Expression", node: "Node", line: int, joined: bool) -> None:
     """A number that is asked by its expression."""
     problem, value, unit = degree.problem, None, ""
     if not problem.numeric.has_free_symbols:
@@ -121,7 +123,7 @@ def _tell(degree, asked, node, line, joined):
         problem, asked.tree), settles=asked.text, node=node, value=value, unit=unit, uses=[line], joined=joined)
 
 
-def _put_in(degree, node):
+def _put_in(degree: Degree, node: "Node") -> "list[Node | str]":
     """Parts of ` = the same` of a scene in letters by what lines have for its letters, where that is short."""
     if not degree.problem.numeric.has_free_symbols:
         return []
@@ -134,7 +136,8 @@ def _put_in(degree, node):
     return [" = ", found] if found is not node and letters(found) <= letters(node) + 1 else []
 
 
-def _form_of(degree, swing, asked, values, numbered):
+def _form_of(degree: Degree, swing: Swing, asked: "Expression", values: Sequence[tuple[Mapping[str, float], float]],
+             numbered: dict[int, int]) -> "tuple[TurningBack, Node] | None":
     """(the TurningBack, its expression) of what the engine finds; None of others."""
     for turn in _turns(degree, swing, numbered):
         node = _form(degree, swing, asked.tree.head, turn)
@@ -143,14 +146,14 @@ def _form_of(degree, swing, asked, values, numbered):
     return None
 
 
-def _at(turn, known):
+def _at(turn: TurningBack, known: Mapping[str, float]) -> Any:
     """With a number for the letter of the instant."""
     if turn.letter is None:
         return known
     return {**known, turn.letter.name: evaluate([turn.instant], Floats, known)[0]}
 
 
-def _form(degree, swing, head, turn):
+def _form(degree: Degree, swing: Swing, head: str, turn: TurningBack) -> "Node | None":
     """The expression of what is asked at a turn; None of what it has none of."""
     if head == "overshoot":
         at_rest = swing.B is None and turn.instant is not None and not degree.C.is_zero
@@ -160,7 +163,7 @@ def _form(degree, swing, head, turn):
     return turn.place
 
 
-def _turns(degree, swing, numbered):
+def _turns(degree: Degree, swing: Swing, numbered: Mapping[int, int]) -> Iterator[TurningBack]:
     """The start, and the first places where it turns back."""
     table, A, B, rate = degree.about.table, swing.A, swing.B, _rate(degree)
     yield TurningBack(None, swing.rest + A)
@@ -181,15 +184,15 @@ def _turns(degree, swing, numbered):
             yield TurningBack(instant, swing.rest + _decay(degree, t) * wave, t, k + 1)
 
 
-def _tangent(degree, swing):
+def _tangent(degree: Degree, swing: Swing) -> "Node":
     """tan ω_dτ where it turns back."""
     rate, delta = _rate(degree), degree.delta
     return (rate * swing.B - delta * swing.A) / (rate * swing.A + delta * swing.B)
 
 
-def _rate(degree):
+def _rate(degree: Degree) -> "Node":
     return degree.omega if degree.C.is_zero else degree.omega_d
 
 
-def _decay(degree, instant):
+def _decay(degree: Degree, instant: "Node") -> "Node":
     return degree.about.table.one if degree.C.is_zero else degree.about.table.call("exp", -(degree.delta * instant))

@@ -5,7 +5,7 @@ equations of the coordinates, those cut free, as there are conditions, to the fi
 
 S how the coordinates move with those that are independent."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING
 from vibcli.mechanics.static_preload import pivots, solve_linear
@@ -30,7 +30,7 @@ class CutFree:
     """The equations of a scene cut free at its loops, linear about rest. G: the slopes of its conditions there; steady,
     moving: what else the equations have, at rest and beside that, with letters for the multipliers at rest."""
 
-    def __init__(self, about: AboutRest):
+    def __init__(self, about: AboutRest) -> None:
         problem = about.problem
         self.about, self.scene, found = about, problem.system.scene_with_multipliers, problem.symbolic.equations
         self.symbols, table = list(found.multipliers), self.scene.table
@@ -50,7 +50,7 @@ class CutFree:
                                             for row in [matrix[i]] for j in range(len(row)))])
                        for i, part in enumerate(timed)]
 
-    def _place(self):
+    def _place(self) -> "tuple[dict[Node, Node], list[list[Node]]]":
         """({q: its value at rest}, [what each q, q̇ and q̈ is, to the first order by the independent ones])."""
         about, scene, found = self.about, self.scene, {}
         moves = [[], [], []]
@@ -65,7 +65,7 @@ class CutFree:
                 moves[order].append(scene.table.total([a * scene.table.variable(of[m].name) for m, a in parts.items()]))
         return found, moves
 
-    def _at_rest(self, rows):
+    def _at_rest(self, rows: "Sequence[Sequence[Any]]") -> list[list[Any]]:
         flat = substitute([node for row in rows for node in row], self._still)
         width = len(rows[0])
         return [list(map(textbook, flat[i:i + width])) for i in range(0, len(flat), width)]
@@ -79,7 +79,7 @@ class CutFree:
 
     def solved(self, rows: "Sequence[int]") -> "tuple[list[Node], list[Node]]":
         """(the equations in letters for all multipliers, what these are)."""
-        def by(parts):
+        def by(parts: "Sequence[Node]") -> "list[Node]":
             found = solve_linear([[*self.G[i], -part] for i, part in zip(rows, parts, strict=True)], self.zero)
             return [self.about.tidy(node) if not node.mask else textbook(node) for node in found]
 

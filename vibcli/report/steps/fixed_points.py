@@ -24,6 +24,7 @@ from vibcli.symbolic.rationals import fraction_of
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
 READABLE = 40       # letters of a frequency or a height, beyond which its number alone tells it
@@ -53,7 +54,7 @@ def tell_fixed_points(about: AboutRest, sheet: WorkedSolution, found: SmallEquat
             return
 
 
-def _asked(problem):
+def _asked(problem: "Problem") -> dict[Any, Any]:
     """{signal whose fixed points are asked: driver}."""
     spec = problem.spec
     sides = [side for record in spec.choices.values() for side in record["so"].sides]
@@ -64,7 +65,8 @@ def _asked(problem):
 class _FixedPoints:
     """Those of the coordinate of number k."""
 
-    def __init__(self, about, sheet, found, forces, Omega, k):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations, forces: "Sequence[Node]",
+                 Omega: "Node", k: int) -> None:
         self.about, self.sheet, self.Omega, self.k, table = about, sheet, Omega, k, about.table
         damper, = about.scene.dampers
         self.c, slopes, zero = damper.weight, about.small(damper.s).slopes, table.zero
@@ -86,14 +88,14 @@ class _FixedPoints:
             self.equation = self._in_powers(self.d0 + about.tidy(self.n0 * d1 / n1))
             self.stand = len(self.equation) == 3
 
-    def _in_powers(self, node):
+    def _in_powers(self, node: "Node") -> "list[Node]":
         """[e₂, e₁, e₀] of e₂ω⁴ − e₁ω² + e₀; nothing of others."""
         found = self._by_powers(node)
         return [found[4], -found[2], found[0]] if set(found) == {0, 2, 4} else []
 
-    def _by_powers(self, node):
+    def _by_powers(self, node: "Node") -> "dict[int, Node]":
         """{power of ω: what stands before it}."""
-        found: dict = {}
+        found: dict[Any, Any] = {}
         for monomial, c in expanded(textbook(node)).items():
             power = next((e for atom, e in monomial if atom is self.omega), 0)
             rest = self.about.table.product(*((atom, e) for atom, e in monomial if atom is not self.omega))
@@ -134,7 +136,7 @@ class _FixedPoints:
         if self.about.problem.choice is not None:
             self._alike([line])
 
-    def _alike(self, uses):
+    def _alike(self, uses: list[int]) -> None:
         """The condition under which both are of one height, by the sum of their squares."""
         e2, e1, _ = self.equation
         found = dict(self._by_powers(self._per[1] / self._per[0]))
@@ -144,11 +146,11 @@ class _FixedPoints:
             self.sheet.write(Words("so both are of one height where  "), P ** 2 + Q ** 2, " = ", first, " = ", second,
                              settles="one height", uses=uses)
 
-    def _height(self):
+    def _height(self) -> "Node":
         n1, d1 = self._per
         return self.about.table.call("abs", self.about.tidy(n1 / d1))
 
-    def _places(self):
+    def _places(self) -> list[tuple[Any, Any]]:
         """[(ω² in letters or None, ω in numbers or None)], ascending."""
         about, (e2, e1, e0) = self.about, self.equation
         values = [about.value(node) for node in self.equation]
@@ -165,7 +167,7 @@ class _FixedPoints:
             raise Untold(UNTOLD, HINT)
         return [(node, None) for node in (found if order.pop() else found[::-1])]
 
-    def _agrees(self, places, name, driver):
+    def _agrees(self, places: "Sequence[tuple[Node, None]]", name: str, driver: str) -> None:
         """Untold where the engine finds others in numbers."""
         if places[0][1] is None:
             return
@@ -178,7 +180,7 @@ class _FixedPoints:
                 known, places, strict=True)):
             raise Untold(UNTOLD, HINT)
 
-    def _place(self, letter, square, value, uses):
+    def _place(self, letter: str, square: "Node", value: Any, uses: list[int]) -> int:
         """The line of a frequency."""
         name = self.about.letter(self.sheet.letter("omega", letter))
         if value is not None:
@@ -187,7 +189,8 @@ class _FixedPoints:
                 settles=f"fixed point {letter}", value=value, unit="rad/s")
         return self.sheet.write(name ** 2, " = ", square, settles=f"fixed point {letter}", node=square, uses=uses)
 
-    def _at(self, letter, square, value, size, height, uses):
+    def _at(self, letter: str, square: "Node", value: Any, size: "Sequence[Any]", height: "Node",
+            uses: list[int]) -> int:
         """|X| at a frequency; the number of its line."""
         name, which = self.about.letter(self.sheet.letter("omega", letter)), []
         if value is not None:

@@ -4,15 +4,13 @@ harmonics, one or several or those of a periodic wave, and the sum of the pieces
 A load A sin Ωt + B cos Ωt keeps up X sin(Ωt + ε − θ), as (K − M Ω² + i C Ω) X e^{−iθ} = F with F = √(A² + B²).
 """
 
-from cmath import phase
-from math import cos
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.degree import Degree
 from vibcli.report.steps.from_the_start import KeptUp, tell_start
-from vibcli.report.steps.held_against import tell_found
+from vibcli.report.steps.lags import know_lag, lag_of, load_of, size_of, tell_phase, told_lag
 from vibcli.report.steps.phasors import tell_of_one
 from vibcli.report.steps.pieces import pieces_of, tell_impulses, tell_pieces
 from vibcli.report.steps.resonance import is_resonance, tell_growing, tell_resonance
@@ -25,10 +23,11 @@ from vibcli.symbolic.normal_form import is_zero, textbook
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from vibcli.analyses.closed_form.dimensionless import Dimensionless
+    from vibcli.analyses.closed_form.steady_state import Steady
     from vibcli.symbolic.node import Node
 
 SERIES = {"square": ("4/π·(", 2, 4), "sawtooth": ("−2/π·(", 1, -2)}      # of 2π: its factor, step of n, π·factor
-QUARTER = 1e-12         # of the cosine of a lag: it is a quarter of a turn
 TOLD = 3                # harmonics of a periodic wave that have numbers
 
 
@@ -44,7 +43,7 @@ def tell_forced(degree: Degree) -> None:
         _growing(degree)
         return
     try:
-        found: dict = {}
+        found: dict[Any, Any] = {}
         for (argument, kind), node in waves_of_all(degree.problem.scene, {0: load})[0].items():
             found.setdefault(argument, {})[kind] = node
     except NotInLetters:
@@ -64,7 +63,7 @@ def tell_forced(degree: Degree) -> None:
                 _of_several(degree, number, argument, parts)
 
 
-def _growing(degree):
+def _growing(degree: Degree) -> None:
     """What follows a load that is a power of the time."""
     try:
         node = degree.problem.symbolic_following(degree.name)
@@ -74,7 +73,7 @@ def _growing(degree):
                        settles=f"following({degree.name})", node=node, uses=degree.found.lines)
 
 
-def _one_harmonic(degree):
+def _one_harmonic(degree: Degree) -> None:
     """X and θ, from the complex equation."""
     try:
         steady = degree.problem.symbolic_steady_state(degree.name)
@@ -95,20 +94,20 @@ def _one_harmonic(degree):
     size = degree.about.tidy(formula.amplitude) if formula.undamped else formula.amplitude
     degree.settled([X], size, degree.unit, f"amplitude({degree.name})", lines)
     _by_ratio(degree, X, steady, lines)
-    lag = _lag(degree, steady) if lags else None
+    lag = lag_of(degree, steady) if lags else None
     if lags and formula.tangent is not None:
-        lines.append(_told_lag(degree, theta, formula, lag, lines))
+        lines.append(told_lag(degree, theta, steady, lag, lines))
         if lag is None:
-            _tell_phase(degree, theta, steady, lines)
+            tell_phase(degree, theta, steady, lines)
         else:
-            _know_lag(degree, theta, steady, lag, lines)
+            know_lag(degree, theta, steady, lag, lines)
     degree.about.know(X, degree.about.value(formula.amplitude))
-    tell_of_one(degree.about, sheet, X, formula.Omega, lines)
+    tell_of_one(degree.about, sheet, (X, None if lag is None else theta), steady, lines)
     if not formula.ahead:
         tell_start(degree, KeptUp(steady, X, theta if lags else None, lag), lines)
 
 
-def _by_ratio(degree, X, steady, lines):
+def _by_ratio(degree: Degree, X: "Node", steady: "Steady", lines: list[int]) -> None:
     """The same amplitude by r = Ω/ω and ζ, where it is a product of these."""
     from vibcli.analyses.closed_form.dimensionless import CONSTANT, SQUARE, dimensionless
 
@@ -130,17 +129,17 @@ def _by_ratio(degree, X, steady, lines):
                 letter=r.name, uses=lines)
 
 
-def _product(degree, steady):
+def _product(degree: Degree, steady: "Steady") -> "Dimensionless | None":
     """The same of a frequency that is an expression: of a load F/K, of one proportional to Ω² by F/(MΩ²), and of a
     support that moves, whose load is K and iΩC times a place."""
     from vibcli.analyses.closed_form.dimensionless import BASE, CONSTANT, SQUARE, Dimensionless
 
-    (A, B), Omega = _load(degree, steady), gradient(steady.argument)[degree.problem.scene.time]
+    (A, B), Omega = load_of(degree, steady), gradient(steady.argument)[degree.problem.scene.time]
     shaken = not (A.is_zero or B.is_zero)
     unlike = shaken and (degree.C.is_zero or not is_zero(A * degree.C * Omega - B * degree.K))
     if unlike or (degree.C.is_zero and A.is_zero):
         return None
-    F = A if degree.C.is_zero else _size_of(B if A.is_zero else A)
+    F = A if degree.C.is_zero else size_of(B if A.is_zero else A)
     over = textbook(F / Omega ** 2)
     squared = not shaken and letters(over) < letters(F)
     gain = over / degree.M if squared else F / degree.K
@@ -148,56 +147,12 @@ def _product(degree, steady):
         degree.K / degree.M), None if degree.C.is_zero else degree.zeta)
 
 
-def _told_lag(degree, theta, formula, lag, lines):
-    """The line of tan θ, and of θ; of θ alone where it is a quarter of a turn, but for rounding."""
-    if lag is not None and abs(cos(lag)) <= QUARTER:
-        resists = degree.K - degree.M * formula.Omega ** 2
-        return degree.sheet.write(resists, " = 0", Words(":  "), theta, *number(lag, "rad"), uses=lines,
-                                  settles="quarter of a turn", value=lag, unit="rad")
-    more = [] if lag is None else [Words(",  "), theta, *number(lag, "rad")]
-    return degree.settled([theta.table.call("tan", theta)], formula.tangent, "", "tan theta", lines, more=more)
-
-
-def _know_lag(degree, theta, steady, lag, lines):
-    """Let the last line tell the letter of the lag in numbers."""
-    degree.sheet.write(settles=theta.name, node=_angle(degree, steady), value=lag, unit="rad", letter=theta.name,
-                       joined=True, uses=lines)
-    degree.about.know(theta, lag)
-
-
-def _angle(degree, steady):
-    """θ = arg((R + iS)/(A + iB)), without the size of a load that is a sine or a cosine alone."""
-    (real, ahead), Omega = _load(degree, steady), steady.formula.Omega
-    size = _size_of(real + ahead)
-    if (real.is_zero or ahead.is_zero) and degree.about.table.is_positive(size):
-        real, ahead = real / size, ahead / size
-    R, S = degree.K - degree.M * Omega ** 2, degree.C * Omega
-    return degree.about.table.call("atan2", S * real - R * ahead, R * real + S * ahead)
-
-
-def _tell_phase(degree, theta, steady, lines):
-    """The line of the phase of the coordinate that a sheet asks in letters, where it is θ."""
-    for asked in [one.asked for one in degree.problem.spec.answers if one.asked.text == f"phase({degree.name})"]:
-        tell_found(degree.problem, degree.sheet, asked, [(_angle(degree, steady), [theta])], lines)
-
-
-def _lag(degree, steady):
-    """θ in numbers, None in letters; between −π and π, which its tangent leaves open."""
-    Omega = steady.formula.Omega
-    nodes = (*_load(degree, steady), degree.K - degree.M * Omega ** 2, degree.C * Omega)
-    parts = [degree.about.value(node) for node in nodes]
-    if None in parts:
-        return None
-    real, ahead, resists, damps = parts
-    return -phase(complex(real, ahead) / complex(resists, damps))
-
-
-def _complex_equation(degree, X, steady):
+def _complex_equation(degree: Degree, X: "Node", steady: "Steady") -> None:
     """Beside the last line (K − M Ω² + i C Ω) X e^{−iθ} = A + i B of a load A sin + B cos; B − i A where cosines are
     counted from."""
     Omega = steady.formula.Omega
-    real, ahead = _load(degree, steady)
-    load = [real] if not real.is_zero or ahead.is_zero else []
+    real, ahead = load_of(degree, steady)
+    load: list[Any] = [real] if not real.is_zero or ahead.is_zero else []
     if not ahead.is_zero:
         negative = ahead.op != "sum" and ahead.coefficient < 0
         sign = (" − " if load else "−") if negative else " + " if load else ""
@@ -209,31 +164,20 @@ def _complex_equation(degree, X, steady):
                        settles="complex equation", uses=degree.found.lines, joined=True)
 
 
-def _load(degree, steady):
-    """(A, B) of a load A sin + B cos, (B, −A) where cosines are counted from."""
-    from vibcli.analyses.closed_form.steady_state import waves_of_all
-
-    zero = degree.about.table.zero
-    acting = waves_of_all(degree.problem.scene, {0: degree.found.drive[0]})[0]
-    found = {kind: node for (_, kind), node in acting.items()}
-    A, B = (textbook(found.get(kind, zero)) for kind in ("sin", "cos"))
-    return (A, B) if steady.wave == "sin" else (B, -A)
-
-
-def _size(degree, parts):
+def _size(degree: Degree, parts: Any) -> "Node":
     return parts[0] if len(parts) == 1 else degree.root(single(textbook(degree.about.table.total([
         part ** 2 for part in parts]))))
 
 
-def _resistance(degree, Omega: "Node") -> "Node":
+def _resistance(degree: Degree, Omega: "Node") -> "Node":
     """√((K − M Ω²)² + C² Ω²); K − M Ω² where nothing damps."""
-    resists = degree.K - degree.M * Omega ** 2
+    resists: Node = degree.K - degree.M * Omega ** 2
     if degree.C.is_zero:
         return resists
     return degree.about.table.sqrt(resists ** 2 + degree.C ** 2 * Omega ** 2)
 
 
-def _of_several(degree, number: int, argument: "Node", parts: "Mapping[str, Node]"):
+def _of_several(degree: Degree, number: int, argument: "Node", parts: "Mapping[str, Node]") -> None:
     """The amplitude and lag under one of several harmonics."""
     sheet, table = degree.sheet, degree.about.table
     Omega = gradient(argument)[degree.problem.scene.time]
@@ -247,7 +191,7 @@ def _of_several(degree, number: int, argument: "Node", parts: "Mapping[str, Node
                        degree.C * Omega / (degree.K - degree.M * Omega ** 2), "", f"tan theta{number}", [line])
 
 
-def _other(degree, load):
+def _other(degree: Degree, load: "Node") -> None:
     """What is no sum of harmonics: a periodic wave by its series, what begins and ends by its pieces."""
     wave = _periodic(degree, load)
     if wave is not None:
@@ -260,7 +204,7 @@ def _other(degree, load):
         tell_pieces(degree, found)
 
 
-def _periodic(degree, load):
+def _periodic(degree: Degree, load: "Node") -> "tuple[str, Node, Node] | None":
     """(name of the wave, its argument, its factor) of F·square(Ωt) or F·sawtooth(Ωt) alone; else None."""
     atoms = [base for base, e in (load.args if load.op == "product" else ()) if base.op == "call" and e == 1
              and base.name in SERIES]
@@ -272,7 +216,7 @@ def _periodic(degree, load):
     return None if factor.mask else (atoms[0].name, atoms[0].args[0], factor)
 
 
-def _series(degree, wave, argument, F):
+def _series(degree: Degree, wave: str, argument: "Node", F: "Node") -> None:
     """F·square(Ωt) = F·4/π·(sin Ωt + sin 3Ωt/3 + …), and Xₙ of each."""
     sheet, table = degree.sheet, degree.about.table
     Omega = gradient(argument)[degree.problem.scene.time]
@@ -284,17 +228,12 @@ def _series(degree, wave, argument, F):
     force = F * factor / (table.pi * n)
     asked = {one.asked.text for one in degree.problem.spec.answers}
     orders = ", ".join(str(1 + k * step) for k in range(TOLD))
-    general = sheet.write(Words("to its n-th harmonic belongs  "), Name(X), " = ", _size_of(force) / _resistance(
+    general = sheet.write(Words("to its n-th harmonic belongs  "), Name(X), " = ", size_of(force) / _resistance(
         degree, n * Omega), Words(f",   n = {orders}, …"), settles=X, uses=[series, *degree.found.lines])
     for k in range(TOLD):
         order = table.number(1 + k * step)
-        node = _size_of(F * factor / (table.pi * order)) / _resistance(degree, order * Omega)
+        node = size_of(F * factor / (table.pi * order)) / _resistance(degree, order * Omega)
         letter: Any = degree.about.letter(sheet.letter(f"X{1 + k * step}"))
         quantity = f"harmonic[{1 + k * step}]({degree.name})"
         if degree.about.value(node) is not None or (quantity in asked and not degree.C.is_zero):
             degree.settled([letter], node, degree.unit, quantity, [general], letters=False, joined=k > 0)
-
-
-def _size_of(node: "Node") -> "Node":
-    """A coefficient without its sign."""
-    return -node if node.op != "sum" and node.coefficient < 0 else node

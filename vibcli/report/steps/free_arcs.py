@@ -3,7 +3,7 @@ the coordinate then goes: about x_s = ΣF/K, where no piece grows or swings,
 
     x = x_s + e^{−δτ} (A cos ω_dτ + B sin ω_dτ),   τ = t − tₖ,   A = x(tₖ) − x_s,   B = (ẋ(tₖ) + δA)/ω_d."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.report.blocks import Factor, Name, Words
@@ -62,7 +62,7 @@ def tell_arcs(degree: Degree, motion: MotionByPieces) -> None:
         _Arc(degree, motion, bends[-1]).write()
 
 
-def _bends(degree, motion) -> "list[LoadBend]":
+def _bends(degree: Degree, motion: MotionByPieces) -> "list[LoadBend]":
     """Those behind which no piece grows or swings, in order; none where the letters leave the order open."""
     orders, instants = [], list(dict.fromkeys(piece.begins for piece in motion.pieces))
     for values in degree.about.samples:
@@ -90,7 +90,7 @@ def rest_behind(degree: Degree, at: "Node", begun: "Sequence[ToldPiece]") -> "No
     return degree.about.tidy(table.total(load) / degree.K)
 
 
-def _cancel(degree, waves):
+def _cancel(degree: Degree, waves: "Sequence[ToldPiece]") -> bool:
     """Do waves that have begun add up to nothing?"""
     table, (sine, _) = degree.about.table, WAVES
     turned = [(piece, piece.rate * piece.begins) for piece in waves]
@@ -104,7 +104,7 @@ def _cancel(degree, waves):
 class _Arc:
     """The motion from a bend on."""
 
-    def __init__(self, degree: Degree, motion: MotionByPieces, bend: LoadBend):
+    def __init__(self, degree: Degree, motion: MotionByPieces, bend: LoadBend) -> None:
         self.degree, self.motion, self.bend, self.sheet, self.table = (degree, motion, bend, degree.sheet,
                                                                        degree.about.table)
         self.A, self.B = (degree.about.letter(self.sheet.letter(f"{letter}{bend.order}")) for letter in "AB")
@@ -143,25 +143,26 @@ class _Arc:
         place_of_rest = self.degree.about.place[self.degree.about.scene.q[0]]
         return Swing(place_of_rest + rest, A, self.B, self.at, line, beside=True)
 
-    def _constant(self, letter, node, told, line):
+    def _constant(self, letter: "Node", node: "Node", told: "Sequence[Factor | Name | Node | str]", line: int) -> None:
         """The entry of A or of B; of letters by its simplest form as well, where that is short."""
         plainly = shortest(self.degree.problem, self.sheet, node)
-        shown = [" = ", plainly] if letters(plainly) <= LONG and self._value(node) is None else []
+        shown: list[Any] = [" = ", plainly] if letters(plainly) <= LONG and self._value(node) is None else []
         self._settle(letter, plainly if shown else node, self.degree.unit, line, [letter, " = ", *told, *shown])
 
-    def _settle(self, letter, node, unit, line, shown=()):
+    def _settle(self, letter: Any, node: "Node", unit: str, line: int,
+                shown: "Sequence[Factor | Name | Node | str]" = ()) -> None:
         value = self._value(node)
         self.sheet.write(*shown, *(number(value, unit) if shown and value is not None else ()), settles=letter.name,
                          node=node, value=value, unit="" if value is None else unit, letter=letter.name, joined=True,
                          uses=[line])
 
-    def _value(self, node):
+    def _value(self, node: "Node") -> float | None:
         if self.degree.problem.numeric.has_free_symbols:
             return None
-        return evaluate([node], Floats, next(instances(self.degree.problem, self.sheet))[1])[0]
+        return cast("float | None", evaluate([node], Floats, next(instances(self.degree.problem, self.sheet))[1])[0])
 
 
-def _sum(nodes, behind) -> list[Any]:
+def _sum(nodes: "Sequence[Node]", behind: bool) -> list[Any]:
     """Parts of further terms, each with its sign; `behind` others."""
     parts: list[Any] = []
     for node in nodes:

@@ -7,7 +7,7 @@ its envelope falls to 1/n in the time ln n/δ, in ln n over the decrement cycles
 zero at −a/b. Two vibrations have the envelope √(A₁² + A₂² + 2 A₁A₂ cos (Δω t − Δφ)) and beat in 2π/Δω. Largest are
 cosines of one sign at t = 0."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -22,10 +22,11 @@ from vibcli.report.steps.searched_extremes import INSTANTS, tell_searched
 from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.parser import VALUE, parse
 from vibcli.symbolic.rationals import HALF
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower, lower_measured
 from vibcli.symbolic.syntax import NameRef, QuantityRef, parts_of
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ def tell_of_free(problem: "Problem", sheet: WorkedSolution, asked: "Expression")
         lines_of(sheet))
 
 
-def _forms(problem, sheet, tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
+def _forms(problem: "Problem", sheet: WorkedSolution, tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
     first, table = tree.args[0], problem.scene.table
     if tree.head == VALUE:
         yield from _at_instant(problem, sheet, tree)
@@ -79,7 +80,7 @@ def _forms(problem, sheet, tree: Any) -> "Iterator[tuple[Node, list[Any]]]":
     yield from ((node, [node]) for node in found)
 
 
-def _beats(one, other):
+def _beats(one: "FreeWave", other: "FreeWave") -> "tuple[Node, list[Node | str | Words]]":
     """2π/(ω₂ − ω₁), or its magnitude where letters leave open which is greater."""
     names = [wave.rate.name or "" for wave in (one, other)]
     if "omega" in names or not all(name.startswith("omega") for name in names):
@@ -89,7 +90,7 @@ def _beats(one, other):
         "   (where the frequencies are near each other)")]
 
 
-def _of_one(problem, sheet, tree, wave: "FreeWave") -> "Iterator[Node]":
+def _of_one(problem: "Problem", sheet: WorkedSolution, tree: QuantityRef, wave: "FreeWave") -> "Iterator[Node]":
     """A number of one vibration."""
     table, (a, b, rate, delta) = problem.scene.table, wave
     if tree.head == "amplitude":
@@ -118,11 +119,11 @@ def _of_one(problem, sheet, tree, wave: "FreeWave") -> "Iterator[Node]":
         yield falls / (delta if tree.head == "time_to" else decrement)
 
 
-def _parameters(problem):
+def _parameters(problem: "Problem") -> "Callable[..., Node]":
     return lambda name, *_: problem.scene.parameters.nodes[name]
 
 
-def _at_instant(problem, sheet, tree):
+def _at_instant(problem: "Problem", sheet: WorkedSolution, tree: QuantityRef) -> Iterator[tuple[Any, list[Any]]]:
     """A value, or that of an envelope, at an instant; the time has its letter where that is a number with a unit."""
     first, instant = tree.args
     if parts_of(instant).quantities:
@@ -136,17 +137,17 @@ def _at_instant(problem, sheet, tree):
             return
     else:
         node = value_at(problem, sheet, first, time)
-    t = lower(instant, problem.scene.table, _parameters(problem))
+    t = lower_measured(instant, problem.scene.table, _parameters(problem))
     found, = substitute([node], {time: t})
     found = min(found, textbook(substitute([found], _in_file(problem, sheet))[0]), key=letters)
-    if t.op == "number" and not t.is_zero:
+    if is_number(t) and not t.is_zero:
         given = as_printed(tree.text[instant.start - tree.start:instant.end - tree.start])
         yield found, [Words("with  "), time, Words(f" = {given}:  "), node]
     else:
         yield found, [found]
 
 
-def _in_file(problem, sheet):
+def _in_file(problem: "Problem", sheet: WorkedSolution) -> "dict[Node, Node]":
     """{letter of a line: the parameter that the file has for the same}."""
     table, samples = problem.scene.table, samples_of(problem, {})
     told = {line.letter: line.node for line in sheet.steps if line.letter and line.settles.startswith("omega")
@@ -172,7 +173,7 @@ def _envelope(waves: "list[FreeWave]", t: "Node") -> "Node":
                       + 2 * decays[0] * decays[1] * mixed)
 
 
-def _of_envelope(waves, head):
+def _of_envelope(waves: "list[FreeWave]", head: str) -> "list[Node]":
     """The sum and the difference of the amplitudes of two vibrations that nothing damps."""
     table = waves[0].rate.table
     if head not in ("max", "min") or not all(wave.delta.is_zero for wave in waves):
@@ -181,7 +182,7 @@ def _of_envelope(waves, head):
     return [A + B] if head == "max" else [A - B, B - A]
 
 
-def _mean(waves, rest, mean, squared):
+def _mean(waves: "Sequence[FreeWave]", rest: "Node", mean: bool, squared: bool) -> "Node":
     """Of a signal whose vibrations do not die out, or of its square, or the root of that."""
     if mean and not squared:
         return rest
@@ -189,7 +190,8 @@ def _mean(waves, rest, mean, squared):
     return square if mean else rest.table.sqrt(square)
 
 
-def _extremes(problem, sheet, tree, waves):
+def _extremes(problem: "Problem", sheet: WorkedSolution, tree: QuantityRef,
+              waves: "list[FreeWave]") -> "Iterator[Node]":
     """Of vibrations that all start at rest on one side that side, at t = 0; of one the other side as well, and where it
     is critically damped ẋ = 0 at 1/δ − a/b."""
     table, sense, instant = problem.scene.table, EXTREMES[tree.head], tree.head.startswith("arg")

@@ -5,14 +5,14 @@
 
 and signals that follow such coordinates."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base.errors import NotInLetters
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.symbolic_linear import outputs
 from vibcli.quantities.responses_in_letters import at_rest
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower_measured
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 from vibcli.symbolic.transfer_between_tables import copied
 
@@ -37,7 +37,7 @@ class FreeWave(NamedTuple):
         table, turned = t.table, self.rate * t
         wave = self.a + self.b * t if self.rate.is_zero else (
             self.a * table.call("cos", turned) + self.b * table.call("sin", turned))
-        return wave if self.delta.is_zero else table.call("exp", -(self.delta * t)) * wave
+        return cast("Node", wave if self.delta.is_zero else table.call("exp", -(self.delta * t)) * wave)
 
     @property
     def speed(self) -> "FreeWave":
@@ -54,7 +54,7 @@ class FreeWave(NamedTuple):
     @property
     def square(self) -> "Node":
         """The square of its amplitude at t = 0."""
-        return self.a ** 2 + self.b ** 2
+        return cast("Node", self.a ** 2 + self.b ** 2)
 
 
 def from_start(place: "Node", speed: "Node", rate: "Node", delta: "Node") -> FreeWave:
@@ -80,7 +80,7 @@ def waves_of(problem: "Problem", sheet: "WorkedSolution", signal: Any) -> "list[
                            else signal)
     if not direct.is_zero:
         raise NotInLetters("this signal is driven beside the free motion")
-    found: dict = {}
+    found: dict[Any, Any] = {}
     for power, row in enumerate(rows):
         for i, factor in row.items():
             weight, = copied([factor], problem.scene.table)
@@ -98,7 +98,7 @@ def value_at(problem: "Problem", sheet: "WorkedSolution", tree: Any, t: "Node") 
     """The value of a function of signals at an instant, by the lines that tell the motion."""
     table = problem.scene.table
 
-    def signal(name, primes, part):
+    def signal(name: str, primes: int, part: NameRef) -> "Node":
         if isinstance(part, QuantityRef):
             raise NotInLetters("parts of signals are found in numbers")
         if name in problem.scene.parameters.nodes and not primes:
@@ -106,7 +106,7 @@ def value_at(problem: "Problem", sheet: "WorkedSolution", tree: Any, t: "Node") 
         waves = waves_of(problem, sheet, NameRef(0, 0, name, primes))
         return at_rest(problem, name, primes) + table.total([wave.at(t) for wave in waves])
 
-    return lower(tree, table, signal)
+    return lower_measured(tree, table, signal)
 
 
 def lines_of(sheet: "WorkedSolution") -> "Sequence[int]":

@@ -80,16 +80,16 @@ def complex_modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> 
     return found if _complete(found, places, speeds) else []
 
 
-def _dense(entries, size):
+def _dense(entries: "Mapping[tuple[int, int], Any]", size: int) -> Any:
     import numpy as np
 
-    found = np.zeros((size, size))
+    found: Any = np.zeros((size, size))
     for place, value in entries.items():
         found[place] = value
     return found
 
 
-def _complete(modes, places, speeds):
+def _complete(modes: "Sequence[ComplexMode]", places: "ndarray", speeds: Any) -> bool:
     """Do the modes add up to the start, place and speed?"""
     import numpy as np
 
@@ -99,7 +99,7 @@ def _complete(modes, places, speeds):
                               for power, given in ((0, places), (1, speeds)))
 
 
-def _part_of(about, sheet, mode, uses):
+def _part_of(about: AboutRest, sheet: WorkedSolution, mode: ComplexMode, uses: "Sequence[int]") -> int:
     """The line of the shape of a mode and its part of the start."""
     names = about.scene.coordinates
     unit = "m" if about.problem.system.dimension(names[0]) else "rad"
@@ -114,7 +114,7 @@ def _part_of(about, sheet, mode, uses):
     return line
 
 
-def _terms(about, sheet, mode, i, nothing):
+def _terms(about: AboutRest, sheet: WorkedSolution, mode: ComplexMode, i: int, nothing: float) -> list[Any]:
     """[sign, part, …] of what a mode adds to a coordinate."""
     size = complex(mode.sizes[i])
     if mode.root.imag:

@@ -65,13 +65,14 @@ def modes_of(problem: "Problem", start: "Sequence[Sequence[float]]") -> list[Mod
     return found if len(found) == len(names) and _apart(C, found) and _complete(found, start) else []
 
 
-def _form(matrix: "Mapping[tuple[int, int], float]", one, other):
+def _form(matrix: "Mapping[tuple[int, int], float]", one: "Sequence[float]", other: "Sequence[float]") -> float:
     """uᵀ M v, zero where rounding alone is left of its terms."""
     terms = [value * one[i] * other[j] for (i, j), value in matrix.items()]
     return _cleared(sum(terms), sum(map(abs, terms)), ROUNDING)
 
 
-def _left(M, K, u, omega):
+def _left(M: "Mapping[tuple[int, int], float]", K: "Mapping[tuple[int, int], float]", u: "Sequence[float]",
+          omega: float) -> float:
     """How much of (K − ω²M) u is left, relative to its terms."""
     rows = {i for i, _ in (*M, *K)}
     size = max(sum(abs(value * u[j]) for (k, j), value in K.items() if k == i) for i in rows)
@@ -79,14 +80,14 @@ def _left(M, K, u, omega):
         value * u[j] for (k, j), value in M.items() if k == i)) for i in rows) / size
 
 
-def _apart(C, modes):
+def _apart(C: dict[tuple[int, int], float], modes: "Sequence[ModeFromStart]") -> bool:
     """Does what damps leave the modes apart?"""
     return all(abs(_form(C, one.shape, other.shape)) <= ALIKE * sqrt(
         _form(C, one.shape, one.shape) * _form(C, other.shape, other.shape)) for one in modes for other in modes
         if one is not other)
 
 
-def _complete(modes, start):
+def _complete(modes: "Sequence[ModeFromStart]", start: "Sequence[Sequence[float]]") -> bool:
     """Do the modes add up to the start?"""
     return all(abs(sum(mode.shape[i] * value for mode, value in zip(modes, values, strict=True)) - x) <= ALIKE * sum(
         map(abs, column)) for values, column in zip(
@@ -114,7 +115,8 @@ def tell_modes(about: AboutRest, sheet: WorkedSolution, modes: "Sequence[ModeFro
             _beats(about, sheet, name, [(mode, mode.shape[i]) for mode in moved], line)
 
 
-def _start_of(about, sheet, mode, rest, uses):
+def _start_of(about: AboutRest, sheet: WorkedSolution, mode: ModeFromStart, rest: "Sequence[bool]",
+              uses: "Sequence[int]") -> int:
     """The line of p(0) and ṗ(0) of a mode, and of δ and ω_d where it is damped; `rest`: are all of them zero?"""
     units = ["m" if about.problem.system.dimension(name) else "rad" for name in about.scene.coordinates]
     unit = next(one for one, x in zip(units, mode.shape, strict=True) if x)
@@ -170,16 +172,16 @@ def values_of_start(sheet: WorkedSolution, order: int, values: "Sequence[Any]", 
     return parts
 
 
-def _cleared(value, beside, left=ALIKE):
+def _cleared(value: float, beside: float, left: float = ALIKE) -> float:
     """A value, zero where rounding alone is left beside another."""
     return 0.0 if abs(value) <= left * abs(beside) else value
 
 
-def _letter(about, sheet, letter, mode):
+def _letter(about: AboutRest, sheet: WorkedSolution, letter: str, mode: ModeFromStart) -> "Node":
     return about.letter(sheet.letter(f"{letter}{mode.order}"))
 
 
-def _terms(about, sheet, mode, u):
+def _terms(about: AboutRest, sheet: WorkedSolution, mode: ModeFromStart, u: float) -> list[Any]:
     """[sign, part, …] of u pₖ."""
     if not mode.omega:
         values = [(u * mode.place, []), (u * mode.speed, ["·", about.scene.time])]
@@ -217,7 +219,8 @@ def motion_of(about: AboutRest, sheet: WorkedSolution, name: str, terms: "Sequen
                        settles=f"motion of {name}", uses=uses)
 
 
-def _beats(about, sheet, name, parts, line):
+def _beats(about: AboutRest, sheet: WorkedSolution, name: str, parts: list[tuple[ModeFromStart, float]],
+           line: int) -> None:
     """The product of a slow and a fast wave that two cosines of one amplitude are."""
     if len(parts) != 2 or any(mode.delta or not mode.omega or abs(mode.B) > ALIKE * abs(mode.place)
                               for mode, _ in parts):

@@ -16,6 +16,7 @@ from vibcli.symbolic.normal_form import is_zero
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from vibcli.report.steps.free_waves import FreeWave
     from vibcli.symbolic.node import Node
 
 
@@ -39,12 +40,13 @@ def tell_in_letters(about: AboutRest, sheet: WorkedSolution, found: SmallEquatio
         _beats_in_letters(about, sheet, name, waves, line)
 
 
-def _between(matrix: "Mapping[tuple[int, int], Node]", one: "Sequence[Node]", other: "Sequence[Node]") -> "Node":
+def _between(matrix: "Mapping[tuple[int, int], Node]", one: "Sequence[Node]", other: Any) -> "Node":
     """uᵀ M v."""
     return one[0].table.total([node * one[i] * other[j] for (i, j), node in matrix.items()])
 
 
-def _mode_in_letters(about, sheet, found, k, square, u, start, uses):
+def _mode_in_letters(about: AboutRest, sheet: WorkedSolution, found: SmallEquations, k: int, square: Any, u: Any,
+                     start: Any, uses: "Sequence[int]") -> "tuple[Node, Node, Node, Node, int] | None":
     """(p, ṗ, ω, δ, the line of its start); None of one that damping alone lets die out."""
     table, omega = about.table, about.letter(sheet.letter(f"omega{k}"))
     mass = _between(found.M, u, u)
@@ -75,7 +77,7 @@ def _mode_in_letters(about, sheet, found, k, square, u, start, uses):
     return p, v, rate, of_delta, line
 
 
-def _beats_in_letters(about, sheet, name, waves, line):
+def _beats_in_letters(about: AboutRest, sheet: WorkedSolution, name: str, waves: "list[FreeWave]", line: int) -> None:
     """The product of a slow and a fast wave that two cosines of one amplitude are."""
     one, other = waves
     alike = [sign for sign in (1, -1) if is_zero(one.a - sign * other.a)]
@@ -86,7 +88,7 @@ def _beats_in_letters(about, sheet, name, waves, line):
             settles=f"beats of {name}", uses=[line])
 
 
-def _start_in_letters(about):
+def _start_in_letters(about: AboutRest) -> "list[tuple[Node, Node]] | None":
     """[the places, the speeds] at t = 0 from rest, None where the file gives none in letters."""
     try:
         starts = starts_in_letters(about.problem.symbolic)

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from vibcli.report.steps.steady_states import SteadyState
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 MOST = 3                # coordinates whose motion is a line to read
 
@@ -62,7 +63,7 @@ def tell_driven_from_start(kept: "Sequence[tuple[SteadyState, Sequence[complex]]
     _tell_free(about, sheet, left, [*uses, line], {name: part for name, part in parts.items() if part.told})
 
 
-def _at_start(steady, values):
+def _at_start(steady: "SteadyState", values: "Sequence[complex]") -> list[list[float]]:
     """[places, speeds] at t = 0 of what one harmonic keeps up."""
     Omega, time = steady.about.value(steady.given), steady.about.scene.time.name
     ahead, = evaluate([steady.argument], Floats, {**steady.about.problem.numeric.floats, time: 0.0})
@@ -70,7 +71,7 @@ def _at_start(steady, values):
     return [[X.imag for X in turned], [Omega * X.real for X in turned]]
 
 
-def _is_told(about, found):
+def _is_told(about: AboutRest, found: SmallEquations) -> bool:
     problem = about.problem
     return not (problem.numeric.has_free_symbols or found.G or problem.spec.in_full or not proportional(problem.spec)
                 or len(about.scene.q) > MOST)
@@ -98,7 +99,7 @@ def _tell_free(about: AboutRest, sheet: WorkedSolution, start: "Sequence[Sequenc
         tell_complex_modes(about, sheet, complex_ones, uses, kept)
 
 
-def _kept(steady, k):
+def _kept(steady: "SteadyState", k: int) -> "list[Name | Node | str]":
     """[" + ", part, …] of what is kept up of a coordinate."""
     X = steady.own("X", k)
     if steady.undamped:
@@ -106,7 +107,7 @@ def _kept(steady, k):
     return [" + ", "|", X, f"|·{steady.wave}(", steady.argument, " − ", steady.own("theta", k), ")"]
 
 
-def _waves(kept, k):
+def _waves(kept: "Sequence[tuple[SteadyState, Sequence[complex]]]", k: int) -> list[FreeWave] | None:
     """The same as waves of Ωt by the parts of X = a + ib; None where these have no letters, or t is not counted so."""
     found = []
     for steady, values in kept:

@@ -3,7 +3,7 @@
     x = X sin(Ωt + ε − θ) + e^{−δt} (A cos ω_dt + B sin ω_dt),   A and B from x(0) and ẋ(0).
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.analyses.closed_form.free_response import UNDAMPED, UNDER, regime_at
 from vibcli.base.errors import PhysicsError
@@ -51,13 +51,13 @@ def tell_start(degree: Degree, wave: KeptUp, lines: list[int]) -> None:
     _write(degree, wave, x0, v0, lines)
 
 
-def _write(degree, wave, x0, v0, lines):
+def _write(degree: Degree, wave: Any, x0: "Node", v0: "Node", lines: list[int]) -> None:
     table, t, sheet = degree.about.table, degree.problem.scene.time, degree.sheet
     A, B = (degree.about.letter(sheet.letter(letter)) for letter in "AB")
     damped = not degree.C.is_zero
     rate = degree.omega_d if damped else degree.omega
     free = A * table.call("cos", rate * t) + B * table.call("sin", rate * t)
-    decay = [table.call("exp", -(degree.delta * t)), "·"] if damped else []
+    decay: list[Any] = [table.call("exp", -(degree.delta * t)), "·"] if damped else []
     whole = _kept(wave, t) + (decay[0] * free if damped else free)
     line = sheet.write(Words("with a free motion  "), Name(degree.name), " = ", _kept(wave, t), " + ", *decay,
                        Factor(free) if damped else free, settles="motion", uses=lines, node=whole)
@@ -80,13 +80,13 @@ def _write(degree, wave, x0, v0, lines):
                     unit="" if value is None else degree.unit)
 
 
-def _kept(wave, t) -> "Node":
+def _kept(wave: KeptUp, t: "Node") -> "Node":
     argument = wave.steady.argument if wave.theta is None else wave.steady.argument - wave.theta
     node = wave.X * wave.X.table.call(wave.steady.wave, argument)
-    return node if wave.steady.mean is None else wave.steady.mean + node
+    return cast("Node", node if wave.steady.mean is None else wave.steady.mean + node)
 
 
-def _as_wave(degree, wave, Omega) -> FreeWave | None:
+def _as_wave(degree: Degree, wave: KeptUp, Omega: "Node") -> FreeWave | None:
     """What is kept up as a wave of Ωt; None where it has another phase or a mean, or its lag has no number."""
     table, zero, (steady, X, theta, lag) = degree.about.table, degree.about.table.zero, wave
     if steady.mean is not None or not is_zero(steady.argument - Omega * degree.problem.scene.time) or (
@@ -96,7 +96,7 @@ def _as_wave(degree, wave, Omega) -> FreeWave | None:
     return FreeWave(*((along, across) if steady.wave == "cos" else (-across, along)), Omega, zero)
 
 
-def _at_start(degree, wave):
+def _at_start(degree: Degree, wave: KeptUp) -> "tuple[Node, Node]":
     """The place and the speed of what is kept up at t = 0."""
     table, time, Omega = degree.about.table, degree.problem.scene.time, wave.steady.formula.Omega
     at, = substitute([wave.steady.argument], {time: table.zero})
@@ -107,7 +107,7 @@ def _at_start(degree, wave):
     return mean + wave.X * place, wave.X * Omega * speed
 
 
-def _values(degree, wave, A, speed):
+def _values(degree: Degree, wave: KeptUp, A: "Node", speed: "Node") -> tuple[float | None, float | None]:
     """A and B in numbers; None in letters."""
     known = {line.settles: line.value for line in degree.sheet.steps}
     if degree.about.value(degree.K) is None:

@@ -18,6 +18,7 @@ from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.transfer_between_tables import copied
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Record
     from vibcli.scene.energy_terms import Term
     from vibcli.scene.laws import Law
     from vibcli.scene.scene import Scene
@@ -41,15 +42,14 @@ def potential_of_weights(scene: "Scene") -> "tuple[Node, Node]":
 class FullEnergies:
     """What stores and dissipates energy in any motion, told on a sheet; long lengths get a symbol of their own."""
 
-    def __init__(self, motion: InMotion, sheet: WorkedSolution):
+    def __init__(self, motion: InMotion, sheet: WorkedSolution) -> None:
         self.motion, self.sheet, self.scene = motion, sheet, motion.scene
-        self._roots: dict = {}
         self._letters = [term.owner for kind in ("springs", "laws", "weights") for term in getattr(self.scene, kind)]
 
     def short(self, *nodes: "Node") -> "list[Any]":
         """The expressions with symbols for long lengths, those that are new told before; words for what is too long to
         read."""
-        shown, lengths = abbreviated(list(nodes), self._roots)
+        shown, lengths = abbreviated(list(nodes), self.sheet.lengths)
         for symbol, length in lengths:
             self.sheet.write(symbol, " = ", brief(length), settles=symbol.name, node=length)
         return [brief(short_form(node) if letters(node) > LONG else node) for node in shown]
@@ -66,17 +66,18 @@ class FullEnergies:
             if not node.is_zero:
                 yield self._part(self.sheet.letter(key, "given"), textbook(node), Words(words + ":  "))
 
-    def _part(self, letter, node, *head, formula=(), uses=()):
+    def _part(self, letter: str, node: "Node", *head: Words, formula: "Sequence[Node]" = (),
+              uses: Sequence[int] = ()) -> EnergyPart:
         """A line letter = formula = node."""
         shown, = self.short(node)
         told = [] if not formula or plain(formula[0]) == plain(node) else [*formula, " = "]
         line = self.sheet.write(*head, Name(letter), " = ", *told, shown, settles=letter, node=node, uses=uses)
         return EnergyPart(letter, node, line)
 
-    def _letter(self, letter, owner):
+    def _letter(self, letter: str, owner: str) -> str:
         return self.sheet.letter(letter, owner if len(set(self._letters)) > 1 or self._several("V") else "")
 
-    def _several(self, key):
+    def _several(self, key: str) -> bool:
         return key in (self.motion.problem.spec.get("energies") or {}) or bool(self.scene.matrices)
 
     def stored(self) -> "Iterator[EnergyPart]":
@@ -100,10 +101,10 @@ class FullEnergies:
         return self._part(letter, term.weight * s ** 2 / 2 + self._offset(term) * s, formula=[
             term.weight * delta ** 2 / 2 + N * delta], uses=uses)
 
-    def _offset(self, term):
+    def _offset(self, term: Any) -> "Node":
         return self.scene.table.zero if term.offset is None else term.offset
 
-    def _tension(self, term):
+    def _tension(self, term: Any) -> "Node":
         """What N is told as: a letter, which has a line, of a spring that holds the scene as drawn."""
         N = self._offset(term)
         record = (self.motion.problem.spec.get("springs") or {}).get(term.owner, {})
@@ -113,7 +114,7 @@ class FullEnergies:
         self._as_drawn(record, name, N)
         return self.motion.letter(name)
 
-    def _as_drawn(self, record, name, N):
+    def _as_drawn(self, record: "Record", name: str, N: "Node") -> None:
         """The line of the tension N of a spring that holds the scene as drawn."""
         balanced = self._balanced(record.name, N)
         value, unit = self.motion.value(balanced), "N·m" if "torsion" in record else "N"
@@ -122,13 +123,13 @@ class FullEnergies:
                          *(() if value is None or balanced.is_zero else number(value, unit)), settles=name, node=N,
                          value=value, unit=unit)
 
-    def _balanced(self, name, N):
+    def _balanced(self, name: str, N: "Node") -> "Node":
         """What a static preload is where loops are open and it has a symbol alone; else N, what it is already."""
         if N.op != "symbol":
             return N
         return copied([self.motion.problem.system.preloads[name]], self.scene.table)[0]
 
-    def _told(self, term, letter, node, words):
+    def _told(self, term: Any, letter: str, node: "Node", words: str) -> "tuple[Node, list[int]]":
         """(the letter of a stretch or speed, the lines that it follows from); a symbol itself needs no line."""
         if node.op == "symbol":
             return node, []
@@ -137,7 +138,7 @@ class FullEnergies:
         line = self.sheet.write(Words(f"{words} {term.owner}:  "), Name(name), " = ", shown, settles=name, node=node)
         return self.motion.letter(name), [line]
 
-    def _of_law(self, law: "Law", letter, energy, s, words) -> EnergyPart:
+    def _of_law(self, law: "Law", letter: str, energy: str, s: "Node", words: str) -> EnergyPart:
         """The integral of the law at s."""
         tell_parts(self.motion.problem, self.sheet, law.owner)
         at, uses = self._told(law, letter, s, words)
@@ -145,7 +146,7 @@ class FullEnergies:
         formula, node = (substitute([law.integral], {law.x: x})[0] for x in (at, s))
         return self._part(name, node, Words(f"by the law of {law.owner}:  "), formula=[formula], uses=uses)
 
-    def _weights(self):
+    def _weights(self) -> Iterator[EnergyPart]:
         moving, _ = potential_of_weights(self.scene)
         if moving.mask:
             yield self._part(self._letter("V", "g"), moving, Words("the weights, without constants:  "))
@@ -173,7 +174,7 @@ class FullEnergies:
         owners = ", ".join(dict.fromkeys(term.owner for term in scene.forces))
         Q = [textbook(generalised_force(scene, i)) for i in range(len(scene.q))]
         shown = self.short(*Q)
-        told: list = []
+        told: list[Any] = []
         for i, (node, exact) in enumerate(zip(shown, Q, strict=True)):
             if not exact.is_zero:
                 letter = self.sheet.letter(f"Q{i + 1}" if len(Q) > 1 else "Q")

@@ -1,7 +1,8 @@
 """The steps from the figure to the equations of motion, unexpanded: energies of each element, Lagrange's derivatives
 of each coordinate, of closed loops Lagrange's equations of the first kind."""
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.notation.equation_sides import sides
 from vibcli.report.blocks import Name, Words
@@ -15,13 +16,15 @@ from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.report.steps.bodies import EnergyPart
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 
 class FullEquations:
     """The steps to the equations of motion of a problem, written on a sheet."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution) -> None:
         self.problem, self.sheet, self.motion = problem, sheet, InMotion(problem)
         self.scene = self.motion.scene
         self.energies = FullEnergies(self.motion, sheet)
@@ -46,10 +49,10 @@ class FullEquations:
             self.sheet.write(Words(WITHOUT), uses=lines)
         return lines
 
-    def _total(self, parts):
+    def _total(self, parts: "Sequence[EnergyPart]") -> "Node":
         return self.scene.table.total([part.node for part in parts if part.node is not None])
 
-    def _multipliers(self, conditions):
+    def _multipliers(self, conditions: list[int]) -> list[int]:
         """The line of the letters by which conditions add to the equations."""
         known = self.problem.symbolic.equations.multipliers
         if not known:
@@ -58,7 +61,7 @@ class FullEquations:
         return [self.sheet.write(Words("each condition adds to the equation of a coordinate its slope by that times a "
                                        "multiplier:  "), *told[1:], settles="multipliers", uses=conditions)]
 
-    def _equation(self, i, sums, Q, uses) -> int:
+    def _equation(self, i: int, sums: "Sequence[Node]", Q: "Node", uses: list[int | None]) -> int:
         """Lagrange's derivatives of a coordinate, then its equation: Untold where they are not that of the
         engine."""
         from vibcli.mechanics.lagrange import gyroscopic
@@ -81,10 +84,10 @@ class FullEquations:
         return self.sheet.write(*head, left, " = ", right, settles=f"motion[{name}]", node=equations.full[i],
                                 uses=[*uses, self.sheet.last])
 
-    def _short(self, node):
-        return self.energies.short(node)[0]
+    def _short(self, node: "Node") -> "Node":
+        return cast("Node", self.energies.short(node)[0])
 
-    def _derivatives(self, name, p, terms, uses):
+    def _derivatives(self, name: str, p: "Node", terms: "Sequence[Node]", uses: list[int | None]) -> None:
         """∂T/∂q̇, its rate, ∂T/∂q, ∂V/∂q and ∂Φ/∂q̇."""
         p, change, bent, spring, damper = self.energies.short(p, *terms)
         if not terms[0].is_zero or not terms[1].is_zero:

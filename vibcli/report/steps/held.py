@@ -40,7 +40,8 @@ class SmallEquations(NamedTuple):
     lines: list[int]
 
 
-def held(about: AboutRest, sheet: WorkedSolution, M: Any, C: Any, K: Any, G: Any) -> tuple:
+def held(about: AboutRest, sheet: WorkedSolution, M: Any, C: Any, K: Any,
+         G: Any) -> "tuple[dict[tuple[int, int], Node], ...]":
     """M, C, G, K of the engine, without damping by modes; Untold where what was told, these ones, is not all."""
     symbolic, spec = about.problem.symbolic, about.problem.spec
     if symbolic.linearisable and not proportional(spec):
@@ -59,7 +60,8 @@ def held(about: AboutRest, sheet: WorkedSolution, M: Any, C: Any, K: Any, G: Any
     return M, C, G, K
 
 
-def _damped_as_a_whole(about, sheet, C):
+def _damped_as_a_whole(about: AboutRest, sheet: WorkedSolution,
+                       C: "dict[tuple[int, int], Node]") -> "dict[tuple[int, int], Node]":
     """What `damping:` adds to C, which is told."""
     alpha, beta = (about.scene.lower(one) for one in about.problem.spec.get("damping")["proportional"])
     parts = [part for node, name in ((alpha, "M"), (beta, "K")) if not node.is_zero
@@ -68,12 +70,12 @@ def _damped_as_a_whole(about, sheet, C):
     return C
 
 
-def _same(about, own, found):
+def _same(about: AboutRest, own: "Mapping[tuple[int, int], Node]", found: "Mapping[tuple[int, int], Node]") -> bool:
     zero = about.table.zero
     return all(about.same(own.get(pair, zero), found.get(pair, zero)) for pair in {*own, *found})
 
 
-def _alike(about, own, found):
+def _alike(about: AboutRest, own: "Mapping[tuple[int, int], Node]", found: Mapping[tuple[int, int], float]) -> bool:
     """Are the expressions of a matrix its numbers, but for rounding beside those on its diagonal?"""
     values = {pair: about.value(node) for pair, node in own.items()}
     for i, j in {*values, *found}:
@@ -98,7 +100,7 @@ def row(scene: "Scene", matrix: "Mapping[tuple[int, int], Node]", i: int, symbol
     return scene.table.sum(*((node * symbols[j], 1) for (k, j), node in matrix.items() if k == i))
 
 
-def left(scene: "Scene", matrices: tuple, i: int) -> "Node":
+def left(scene: "Scene", matrices: tuple[Any, ...], i: int) -> "Node":
     """The left side of equation i of M q̈ + (C + G) q̇ + K q = Q."""
     M, C, G, K = matrices
     return row(scene, M, i, scene.a) + row(scene, C, i, scene.v) + row(scene, G, i, scene.v) + row(

@@ -26,12 +26,12 @@ if TYPE_CHECKING:
 WIDE = 300          # columns of an expression, three lines of print, beyond which it is told by its number alone
 
 
-def is_short(node: "Node") -> bool:
+def is_short(node: Any) -> bool:
     """Is an expression one to read?"""
     return letters(node) <= LONG and len(plain(node)) <= WIDE
 
 
-def _is_readable(told):
+def _is_readable(told: "Sequence[Node | str | Words]") -> bool:
     """Is each expression of what is told short?"""
     nodes = [getattr(part, "node", part) for part in told]
     return all(is_short(node) for node in nodes if hasattr(node, "op"))
@@ -53,7 +53,8 @@ def tell_found(problem: "Problem", sheet: WorkedSolution, asked: "Expression",
     return False
 
 
-def _write(problem, sheet, asked, node, told, uses):
+def _write(problem: "Problem", sheet: WorkedSolution, asked: "Expression", node: "Node", told: Sequence[Any],
+           uses: Sequence[int]) -> None:
     value, unit = None, ""
     if not problem.numeric.has_free_symbols:
         value, unit = float(value_of(problem, asked)[0]), unit_told(problem.spec, asked)

@@ -41,7 +41,7 @@ class InMotion:
 
     order_of_speeds = ""
 
-    def __init__(self, problem: "Problem"):
+    def __init__(self, problem: "Problem") -> None:
         self.problem, self.scene = problem, problem.system.scene_with_multipliers
         self.table, self.samples = self.scene.table, samples_of(problem, {symbol.name: UNKNOWN for symbol, _ in
                                                                          self.scene.static_preloads})

@@ -12,6 +12,7 @@ from vibcli.report.steps.step import WorkedSolution
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.syntax import NameRef
 
 TURNING = {"max", "min", "argmax", "argmin", "overshoot"}
 SEVERAL = "where several vibrations at once turn back is a root of an equation without a formula; in numbers (--set):  "
@@ -28,7 +29,7 @@ def tell_left(problem: "Problem", sheet: WorkedSolution, left: "Sequence[Express
             sheet.write(Words(words + ",  ".join(as_printed(one.text, names) for one in group)))
 
 
-def _is_of_several(problem, sheet, signal):
+def _is_of_several(problem: "Problem", sheet: WorkedSolution, signal: "NameRef") -> bool:
     """Do lines tell the motion of a signal as a sum of several vibrations?"""
     try:
         return len(waves_of(problem, sheet, signal)) > 1

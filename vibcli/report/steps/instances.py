@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from vibcli.language.reader import Expression
-    from vibcli.report.steps.step import WorkedSolution
+    from vibcli.report.steps.step import WorkedLine, WorkedSolution
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -46,7 +46,7 @@ def instances(problem: "Problem", sheet: "WorkedSolution") -> "Iterator[tuple[Pr
             yield drawn[i], known
 
 
-def _with_lines(known, steps):
+def _with_lines(known: dict[str, float], steps: "Sequence[WorkedLine]") -> dict[str, float]:
     for line in steps:
         if line.letter and line.node is not None:
             with suppress(KeyError, ZeroDivisionError):
@@ -82,7 +82,7 @@ def vanishes(node: "Node", values: "Sequence[tuple[Mapping[str, float], float]]"
         abs(value) <= ROUNDING * _terms(node, known) for known, value in values)
 
 
-def _terms(node, known):
+def _terms(node: "Node", known: Mapping[str, float]) -> float:
     """The sum of the magnitudes of its terms, 0 of what is no sum."""
     if node.op == "product":
         sums = [base for base, e in node.args if base.op == "sum" and e == 1]

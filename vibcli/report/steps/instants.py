@@ -2,7 +2,7 @@
 x = A e^{s₁t} + B e^{s₂t}; at t = 0 as the file says."""
 
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.initial_state import starts_in_letters
@@ -16,13 +16,14 @@ from vibcli.report.steps.step import WorkedSolution, number, unit_told
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.node import is_number
 from vibcli.symbolic.parser import VALUE
-from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.semantics import lower_measured
 from vibcli.symbolic.syntax import NameRef, parts_of
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import QuantityRef
 
 
 MOTIONS = "motion", "motion from the start"        # lines that tell how the only coordinate moves under a load
@@ -54,7 +55,7 @@ def at_instant(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -
     return None if found is None else found[0]
 
 
-def _found(problem, sheet, asked) -> "tuple[Node, int | None] | None":
+def _found(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> "tuple[Node, int | None] | None":
     """(its expression, the line that tells the motion)."""
     tree = asked.tree
     if getattr(tree, "head", "") != VALUE or not isinstance(tree.args[0], NameRef) or (
@@ -65,14 +66,14 @@ def _found(problem, sheet, asked) -> "tuple[Node, int | None] | None":
     return next((form for form in forms if is_found(form[0], values)), None)
 
 
-def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
+def _forms(problem: "Problem", sheet: WorkedSolution, tree: "QuantityRef") -> "list[tuple[Node, int | None]]":
     """(its expression, the line that tells the motion) that may be: of the start, and of the motion, which lines may
     count from rest."""
     (name, primes), scene = (tree.args[0].name, tree.args[0].primes), problem.scene
-    t = lower(tree.args[1], scene.table, lambda name, *_: scene.parameters.nodes[name])
+    t = lower_measured(tree.args[1], scene.table, lambda name, *_: scene.parameters.nodes[name])
     if t.op == "number" and not t.is_zero and problem.numeric.has_free_symbols:
         return []       # its unit would not stand beside letters
-    found: list = [(node, None) for node in _start(problem, name, primes)] if t.is_zero else []
+    found: list[Any] = [(node, None) for node in _start(problem, name, primes)] if t.is_zero else []
     for line in sheet.steps:
         told = line.settles == name or (line.settles in MOTIONS and scene.coordinates == [name])
         if told and line.node is not None:
@@ -85,7 +86,7 @@ def _forms(problem, sheet, tree) -> "list[tuple[Node, int | None]]":
     return found
 
 
-def _start(problem, name, primes) -> "list[Node]":
+def _start(problem: "Problem", name: str, primes: int) -> "list[Node]":
     """Of a coordinate, or its speed, at t = 0 by the letters of the file; none where it gives no start."""
     record, key = problem.spec.get("initial"), name + "'" * primes
     if record is not None and key in record:

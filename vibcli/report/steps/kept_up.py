@@ -15,8 +15,10 @@ section 3.10; Rao 2011, section 3.6)."""
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
+from vibcli.notation.plain import plain
 from vibcli.quantities.in_letters import frequency_of, size_of
 from vibcli.report.blocks import Words
+from vibcli.report.measured import without_units
 from vibcli.report.steps.agreement import samples_of
 from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.instances import found_at, is_found
@@ -25,6 +27,7 @@ from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import UNITS, is_measure
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import without_bars
 from vibcli.symbolic.syntax import Call, NameRef, QuantityRef
@@ -33,7 +36,9 @@ from vibcli.symbolic.transfer_between_tables import copied
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from vibcli.analyses.closed_form.frequency_response import Formula
     from vibcli.language.reader import Expression
+    from vibcli.report.steps.step import WorkedLine
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -56,24 +61,30 @@ def tell_of_kept_up(problem: "Problem", sheet: WorkedSolution, asked: "Expressio
     return tell_found(problem, sheet, asked, forms, [sheet.last])
 
 
-def _at_a_frequency(problem, sheet, tree, response):
+def _at_a_frequency(problem: "Problem", sheet: WorkedSolution, tree: Call,
+                    response: QuantityRef) -> "Iterator[tuple[Node, list[Node | str | Words]]]":
     """That by the expression of H; the frequency has a letter where it is a number with a unit."""
     given = frequency_of(problem, response.args[0])
-    fixed = not any(part.op == "symbol" for part in reachable([given]))
-    Omega = problem.scene.table.parameter(sheet.letter("Omega")) if fixed else given
+    fixed = all(is_measure(part) for part in reachable([given]) if part.op == "symbol")
+    told = given in sheet.frequencies
+    Omega = sheet.frequencies.setdefault(given, problem.scene.table.parameter(sheet.letter(
+        f"Omega{len(sheet.frequencies) + 1}"))) if fixed else given
     formula = problem.symbolic_frequency_response(*response.indices, Omega)
     head = tree.name if isinstance(tree, Call) else tree.head
     node = textbook(_part(problem, formula, head)) if head in PARTS else size_of(problem, formula)
     samples = [{**one, Omega.name: value} for one in samples_of(problem, {}) for value in evaluate(
-        [given], Floats, one)] if fixed else samples_of(problem, {})
+        [given], Floats, {**dict.fromkeys(UNITS.values(), 1.0), **one})] if fixed else samples_of(problem, {})
     node = without_bars(node, samples)
     if fixed:
-        yield substitute([node], {Omega: given})[0], [Words("with  "), Omega, " = ", given, Words(" rad/s:  "), node]
+        if not told:
+            sheet.write(settles=Omega.name, node=given, letter=Omega.name, joined=True)
+        at: list[Any] = [] if told else [Words("with  "), Omega, Words(f" = {plain(without_units(given))} rad/s:  ")]
+        yield substitute([node], {Omega: given})[0], [*at, node]
     else:
         yield node, [node]
 
 
-def _forms(problem, sheet, tree: Any) -> "Iterator[Node]":
+def _forms(problem: "Problem", sheet: WorkedSolution, tree: Any) -> "Iterator[Node]":
     head, args = getattr(tree, "head", getattr(tree, "name", "")), getattr(tree, "args", ())
     if not args:
         return
@@ -94,13 +105,13 @@ def _forms(problem, sheet, tree: Any) -> "Iterator[Node]":
         yield from _means(problem, first)
 
 
-def _lag_of(sheet):
+def _lag_of(sheet: WorkedSolution) -> "WorkedLine | None":
     """The line of the letter of the lag of the only coordinate, where this has a number."""
     theta = sheet.letter("theta")
     return next((line for line in sheet.steps if line.letter == theta), None)
 
 
-def _is_letter(problem, sheet, asked):
+def _is_letter(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> bool:
     """Is the phase that is asked told already, as the lag of the only coordinate?"""
     line, signal = _lag_of(sheet), asked.tree.args[0]
     if line is None or not isinstance(signal, NameRef) or signal.primes or [signal.name] != problem.scene.coordinates:
@@ -112,7 +123,7 @@ def _is_letter(problem, sheet, asked):
     return True
 
 
-def _by_lag(problem, sheet):
+def _by_lag(problem: "Problem", sheet: WorkedSolution) -> "Iterator[Node]":
     """The same, of a wave that is no sine, and of signals that go with the coordinate, its speed or against it."""
     line = _lag_of(sheet)
     if line is not None:
@@ -120,11 +131,11 @@ def _by_lag(problem, sheet):
         yield from (node + turn * quarter for turn in (0, -1, 1, -2, 2, 3, -3))
 
 
-def _named(signal):
+def _named(signal: NameRef) -> str:
     return signal.name + "'" * signal.primes if isinstance(signal, NameRef) else signal
 
 
-def _part(problem, formula, head) -> "Node":
+def _part(problem: "Problem", formula: "Formula", head: str) -> "Node":
     """The real or the imaginary part of H, its angle, or its lag."""
     table = problem.scene.table
     a, b, c, d, s, Omega = copied([*formula.numerator, *formula.denominator, formula.scale, formula.Omega], table)
@@ -136,7 +147,7 @@ def _part(problem, formula, head) -> "Node":
     return (s * along if head == "re" else -(s * across)) / (c ** 2 + Omega ** 2 * d ** 2)
 
 
-def _read_off(problem, tree, formula) -> "Iterator[Node]":
+def _read_off(problem: "Problem", tree: QuantityRef, formula: "Formula") -> "Iterator[Node]":
     """Where one degree of freedom has its peak, and how high that is; where what nothing damps stands still."""
     table = problem.scene.table
     if tree.indices != ("1",):
@@ -149,7 +160,7 @@ def _read_off(problem, tree, formula) -> "Iterator[Node]":
         yield at if tree.component == "Omega" else substitute([size], {Omega: at})[0]
 
 
-def _by_letters(problem, sheet) -> "tuple[Node, Node, Node] | None":
+def _by_letters(problem: "Problem", sheet: WorkedSolution) -> "tuple[Node, Node, Node] | None":
     """ω, δ and ω_d of one degree of freedom; None where lines do not tell them."""
     named = [sheet.letter(name) for name in ("omega", "delta", "omega_d")]
     if not {line.letter for line in sheet.steps}.issuperset(named):
@@ -158,7 +169,7 @@ def _by_letters(problem, sheet) -> "tuple[Node, Node, Node] | None":
     return omega, delta, omega_d
 
 
-def _half_power(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
+def _half_power(problem: "Problem", sheet: WorkedSolution, tree: QuantityRef) -> "Iterator[tuple[Node, list[Any]]]":
     """Where a peak of one degree of freedom has half its power: of a place, of an unbalance, of a speed."""
     known = _by_letters(problem, sheet)
     if known is None or tree.indices[0] not in SIDES:
@@ -175,7 +186,7 @@ def _half_power(problem, sheet, tree) -> "Iterator[tuple[Node, list[Any]]]":
         yield node, [*([] if told else condition), node]
 
 
-def _peaks(problem, sheet, tree) -> "Iterator[Node]":
+def _peaks(problem: "Problem", sheet: WorkedSolution, tree: QuantityRef) -> "Iterator[Node]":
     """Where the motion of one that is shaken through spring and dashpot is greatest, and of a speed."""
     known = _by_letters(problem, sheet)
     if known is None or tree.indices != ("1",):
@@ -188,7 +199,7 @@ def _peaks(problem, sheet, tree) -> "Iterator[Node]":
     yield from (omega, omega ** 2 / (2 * delta) * problem.scene.table.sqrt(problem.scene.table.sqrt(1 + squared) - 1))
 
 
-def _heights(problem, response, omega, _, omega_d) -> "Iterator[Node]":
+def _heights(problem: "Problem", response: QuantityRef, omega: "Node", _: "Node", omega_d: "Node") -> "Iterator[Node]":
     """s/(C ω_d) of s/|K − MΩ² + iΩC|, and sω²/(C ω_d) where Ω² stands above."""
     formula = problem.symbolic_frequency_response(*response.indices)
     factor, above, C, Omega = copied([formula.scale, formula.numerator[0], formula.denominator[1], formula.Omega],
@@ -198,7 +209,7 @@ def _heights(problem, response, omega, _, omega_d) -> "Iterator[Node]":
                                                                              -(omega ** 2 / Omega ** 2)))
 
 
-def _means(problem, signal) -> "Iterator[Node]":
+def _means(problem: "Problem", signal: NameRef) -> "Iterator[Node]":
     """Of a power of a dashpot, or of the energy of a spring."""
     owner, _, part = signal.name.partition(".")
     record = (problem.spec.get("dampers" if part == "power" else "springs") or {}).get(owner)

@@ -1,7 +1,8 @@
 """The steps from the full equations of motion to those of small oscillations: each to the first order in the deviations
 from rest."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 from vibcli.mechanics.given_damping_in_letters import proportional
 from vibcli.report.blocks import Name, Words
@@ -24,22 +25,22 @@ def linearised(about: AboutRest, sheet: WorkedSolution, full: "Sequence[Node]", 
     scene = about.scene
     M, X, K = (_slopes(about, full, symbols) for symbols in (scene.a, scene.v, scene.q))
     C, G = _parts_by_speeds(about, X)
-    matrices = held(about, sheet, M, C, K, G)
+    M, C, G, K = matrices = held(about, sheet, M, C, K, G)
     drive = drive_of(about.problem)
     rows = [left(scene, matrices, i) for i in range(len(scene.q))]
     kept = [textbook(node - one + drive.get(i, scene.table.zero)) for i, (node, one) in enumerate(zip(
         full, rows, strict=True))]
     if all(map(is_zero, kept)):
-        return SmallEquations(*matrices, drive, list(lines))
+        return SmallEquations(M, C, G, K, drive, list(lines))
     told = []
     for i, name in enumerate(scene.coordinates):
         head = [Name(name), Words(":  ")] if len(rows) > 1 else []
         told.append(sheet.write(Words("from rest, to the first order:  "), *head, rows[i], " = ",
                                 drive.get(i, scene.table.zero), settles=f"equation[{name}]", node=rows[i], uses=lines))
-    return SmallEquations(*matrices, drive, told)
+    return SmallEquations(M, C, G, K, drive, told)
 
 
-def _slopes(about, full, symbols):
+def _slopes(about: AboutRest, full: "Sequence[Node]", symbols: "Sequence[Node]") -> "dict[tuple[int, int], Node]":
     """{(i, j): ∂Eᵢ/∂xⱼ} at rest."""
     zero = about.table.zero
     found = {(i, j): about.rest(gradient(node).get(x, zero)) for i, node in enumerate(full)
@@ -47,7 +48,7 @@ def _slopes(about, full, symbols):
     return {pair: node for pair, node in found.items() if not node.is_zero}
 
 
-def _parts_by_speeds(about, X):
+def _parts_by_speeds(about: AboutRest, X: dict[Any, Any]) -> tuple[dict[Any, Any], dict[Any, Any]]:
     """(C, G) of what is linear in speeds: G of the engine where it is known in letters, else what is skew."""
     symbolic, zero = about.problem.symbolic, about.table.zero
     if not symbolic.linearisable or not proportional(about.problem.spec):
@@ -57,7 +58,7 @@ def _parts_by_speeds(about, X):
     return {pair: node for pair, node in C.items() if not node.is_zero}, G
 
 
-def _half(about, X, sign):
+def _half(about: AboutRest, X: Mapping[Any, Any], sign: int) -> dict[Any, Any]:
     """(X ± Xᵀ)/2."""
     zero = about.table.zero
     found = {(i, j): about.tidy((X.get((i, j), zero) + sign * X.get((j, i), zero)) / 2)

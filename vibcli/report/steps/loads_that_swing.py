@@ -47,7 +47,7 @@ def tell_loads(about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -
         del sheet.steps[before:]
 
 
-def _waves(about, found):
+def _waves(about: AboutRest, found: SmallEquations) -> "dict[int, dict[tuple[Node, str], Node]]":
     """Those of each row; none of loads that grow, NotInLetters of these with damping by modes."""
     from vibcli.analyses.closed_form.powers_of_time import are_powers
     from vibcli.analyses.closed_form.steady_state import waves_of_all

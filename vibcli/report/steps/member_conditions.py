@@ -18,9 +18,9 @@ class MemberConditions:
     """Those of the members of a scene, written on a sheet; what elements of several members fulfil is told of the first
     one."""
 
-    def __init__(self, sheet: WorkedSolution, scene: "Scene", pieces: Sequence[Any], matrices: Any):
+    def __init__(self, sheet: WorkedSolution, scene: "Scene", pieces: Sequence[Any], matrices: Any) -> None:
         self.sheet, self.scene, self.pieces, self.matrices = sheet, scene, pieces, matrices
-        self._told: dict[tuple, tuple[str, list[int]]] = {}     # {equations: (member, lines)}
+        self._told: dict[tuple[Any, ...], tuple[str, list[int]]] = {}     # {equations: (member, lines)}
 
     def write(self, name: str) -> tuple[int | None, list[int]]:
         """(the line of the differential equation, those of the stations) of a member."""

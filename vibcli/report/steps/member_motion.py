@@ -6,6 +6,7 @@
 from rest p_k = ∫₀ᵗ Q_k(τ) e^{−δ(t − τ)} sin ω_d(t − τ) dτ/(m_k ω_d)."""
 
 import re
+from collections.abc import Mapping
 from math import atan2, hypot, isfinite, sqrt
 from typing import TYPE_CHECKING, Any
 
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from numpy import ndarray
 
     from vibcli.analyses.modal.undamped import Mode
+    from vibcli.report.blocks import Factor
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -85,7 +87,7 @@ def tell_motion_of_members(problem: "Problem", sheet: WorkedSolution, equations:
 class MotionOfMembers:
     """The lines of the motion in time that a scene asks, after those of its modes."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution) -> None:
         self.problem, self.sheet, self.scene, self.table = problem, sheet, problem.scene, problem.scene.table
         self.names = list(problem.scene.members)
         kinds = {member.kind.letter for member in problem.scene.members.values()}
@@ -128,13 +130,14 @@ class MotionOfMembers:
         least = ALIKE * max((_size(one) for one in found), default=0.0)
         return [one for one in found if _size(one) > least and isfinite(one.place) and one.rate][:FIRST]
 
-    def _moved(self, mode: "Mode", felt: "ndarray", state: tuple, loads):
+    def _moved(self, mode: "Mode", felt: "ndarray", state: tuple[float, float, float, float],
+               loads: Mapping[Any, Any]) -> MovedMode:
         scale, (delta, eta, rate, middle) = float(self.problem.modal.scale(mode)), state
         acting = [(float(felt[i]) * scale, node) for i, node in loads.items() if not node.is_zero]
         return MovedMode(mode, scale**2, float(delta), float(eta) / scale, float(rate) / scale, float(middle) * scale, [
             (x, node) for x, node in acting if abs(x) > ALIKE * abs(scale) * max(abs(felt))])
 
-    def _rule(self, product, uses):
+    def _rule(self, product: "tuple[Factor | str, ...]", uses: list[int]) -> int:
         """The line of the sum, and of the equation of each mode; product: parts of what two modes are orthogonal by."""
         damped, loaded = any(one.delta for one in self.modes), any(one.loads for one in self.modes)
         drag = [" + 2·δ_k·", Name("p_k'")] if damped else []
@@ -155,7 +158,7 @@ class MotionOfMembers:
                                  *as_held(self.problem, self.u), joined=True, settles="modal start")
         return line
 
-    def _of_mode(self, one, uses):
+    def _of_mode(self, one: MovedMode, uses: list[int]) -> int:
         k, sheet = one.mode.index, self.sheet
         of_mass = "kg" if self.unit == "m" else "kg·m²"
         more = [Words(",  "), Name(sheet.letter(f"delta{k}")), *number(one.delta, "1/s"), Words(",  "),
@@ -172,7 +175,7 @@ class MotionOfMembers:
                         settles=f"load of mode {k}", joined=True)
         return line
 
-    def _shape(self, one):
+    def _shape(self, one: MovedMode) -> list[str | Words]:
         """Parts of X of a mode in numbers, and a comma."""
         k, shapes = one.mode.index, shape_in_numbers(self.problem, one.mode, "first", self.names) or {}
         if not all(len(found) == 1 for found in shapes.values()):
@@ -180,7 +183,7 @@ class MotionOfMembers:
         return [part for name, ((_, _, text),) in shapes.items() for part in (
             f"X{lowered(k)} = {text}", Words((f" of {name}" if len(shapes) > 1 else "") + ",  "))]
 
-    def _by_line(self, one, k):
+    def _by_line(self, one: MovedMode, k: int) -> list[Any]:
         """The same of one member whose shape a line before tells by βL but for its factor."""
         drawn = shape(self.found) if self.found is not None and hasattr(self.found, "standing") else None
         root = next((line.value for line in self.sheet.steps if line.settles == f"βL[{k}]"), None)
@@ -194,10 +197,10 @@ class MotionOfMembers:
         return [Words("with  "), sigma, " = " + told(above / below), Words(",  "), Name(self.sheet.letter("C1")),
                 " = " + told(C), Words(",  ")]
 
-    def _rounded(self, x):
+    def _rounded(self, x: float) -> "Node":
         return self.table.number(fraction_of(float(f"{x:.6g}")))
 
-    def _sum(self, uses):
+    def _sum(self, uses: list[int]) -> None:
         """The sum of the modes, those under loads by the integral of their impulses."""
         parts: list[Any] = []
         for one in self.modes:
@@ -219,7 +222,7 @@ class MotionOfMembers:
             self.sheet.write(Words("so  "), f"{self.u}(x, t) = ", *first, " + …", Words(
                 "  (and what the loads bring about)" * loaded), settles=f"motion of {self.u}", uses=uses)
 
-    def _kept_up(self, uses):
+    def _kept_up(self, uses: "Sequence[int]") -> None:
         """What a load of one frequency keeps up of each mode that is damped by itself."""
         try:
             found = waves_of_all(self.scene, {one.mode.index: self.table.total([
@@ -246,19 +249,19 @@ class MotionOfMembers:
                 atan2(2 * one.delta * Omega, square), "rad"), settles=f"steady mode {k}", value=size, unit=self.unit,
                 uses=[line], joined=i > 0)
 
-    def _impulses(self):
+    def _impulses(self) -> str:
         damped = any(one.delta for one in self.modes)
         decay, rate = ("exp(−δ_k·(t − τ))·", "ω_d,k") if damped else ("", "ω_k")
         return f"p_k = ∫ Q_k(τ)·{decay}sin({rate}·(t − τ))·dτ/(m_k·{rate})"
 
 
-def _size(one):
+def _size(one: MovedMode) -> float:
     """How much a mode moves."""
     omega = float(one.mode.omega)
     return abs(one.place) + abs(one.speed) / omega + sum(abs(x) for x, _ in one.loads) / (one.mass * omega**2)
 
 
-def of_one_mode(product: "Sequence[Any]", u: Name) -> tuple[list, list]:
+def of_one_mode(product: "Sequence[Any]", u: Name) -> "tuple[list[Factor | str], list[Factor | Name | str]]":
     """(parts of m_k, of m_k p_k(0)) by those of ∫ μ X_i X_j dx + … = 0; no second ones where bodies hang on
     members."""
     end = next(i for i, part in enumerate(product) if type(part) is str and part.startswith(" = 0"))

@@ -4,6 +4,7 @@ Engineering Structures, 1973):
     D U = F,   D = K − Ω²M + iΩC + Σ Sᵀ d(β) S,   β² = (μΩ² − k)/N of bars, shafts, strings,   β⁴ = (μΩ² − k)/(EI).
 """
 
+from collections.abc import Mapping
 from math import isclose
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from numpy import ndarray
 
     from vibcli.numerics.pieces.piece import Piece
+    from vibcli.results.modal_response import ModalResponse
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -66,7 +68,7 @@ def tell_steady_members(problem: "Problem", sheet: WorkedSolution) -> None:
         return
 
 
-def _loads(problem, response) -> SwingingLoads | None:
+def _loads(problem: "Problem", response: "ModalResponse") -> SwingingLoads | None:
     """None of supports that move, and of more than one frequency."""
     import numpy as np
 
@@ -74,7 +76,8 @@ def _loads(problem, response) -> SwingingLoads | None:
 
     if any(node is not None for _, node in response.ends_of_pieces):
         return None
-    nodes = response.loads | {("along", k): force.weight for k, force in enumerate(response.spread_forces)}
+    spread = {("along", k): force.weight for k, force in enumerate(response.spread_forces)}
+    nodes: dict[Any, Any] = response.loads | spread
     found = waves_of_all(problem.scene, nodes)
     arguments = list(dict.fromkeys(argument for parts in found.values() for argument, _ in parts))
     if len(arguments) != 1:
@@ -96,7 +99,8 @@ def _loads(problem, response) -> SwingingLoads | None:
     return SwingingLoads(argument, Omega, wave, forces)
 
 
-def _complex(parts, argument, wave, floats):
+def _complex(parts: "Mapping[tuple[Node, str], Node]", argument: "Node", wave: str,
+             floats: dict[str, float]) -> complex:
     A, B = (evaluate([parts[argument, kind]], Floats, floats)[0] if (argument, kind) in parts else 0.0
             for kind in ("sin", "cos"))
     return complex(A, B) if wave == "sin" else complex(B, -A)
@@ -105,7 +109,7 @@ def _complex(parts, argument, wave, floats):
 class _SteadyMembers:
     """The lines of one frequency."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution, response: Any, loads: SwingingLoads):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution, response: Any, loads: SwingingLoads) -> None:
         import numpy as np
 
         from vibcli.analyses.continuous.dynamic_matrix import DynamicMatrix
@@ -143,7 +147,7 @@ class _SteadyMembers:
             lines.append(self._entries(lines))
         self._motions(lines)
 
-    def _agrees(self):
+    def _agrees(self) -> bool:
         turn = -1j if self.loads.wave == "sin" else 1
         for name, U in zip(self.names, self.U, strict=True):
             signal = self.problem.response.kept_up.signal(NameRef(0, len(name), name, 0))
@@ -152,9 +156,9 @@ class _SteadyMembers:
                 return False
         return True
 
-    def _stretches(self, line) -> "Iterator[int]":
+    def _stretches(self, line: int) -> "Iterator[int]":
         """β of each kind of stretch, and what its ends need."""
-        kinds: dict[tuple, list] = {}
+        kinds: dict[tuple[Any, ...], list[Any]] = {}
         for one, of in zip(self.pieces, self.problem.symbolic.linearisation.pieces, strict=True):
             kinds.setdefault((one.piece.order, _beta(one.piece, self.loads.Omega)), []).append((one, of.piece))
         Omega = gradient(self.loads.argument)[self.problem.scene.time]
@@ -171,7 +175,7 @@ class _SteadyMembers:
         for order in sorted({order for order, _ in plain}):
             yield tell_end_forces(self.sheet, order, line)
 
-    def _entries(self, uses):
+    def _entries(self, uses: list[int]) -> int:
         """The line of D and F in numbers."""
         n, parts, letter = len(self.names), [], self.sheet.letter
         names = [part for name in self.names for part in (Words(", "), Name(name))][1:]
@@ -184,7 +188,7 @@ class _SteadyMembers:
                 parts += [Words(",  "), Name(letter(f"F{i + 1}")), f" = {complex_told(cleared(complex(value)))}"]
         return self.sheet.write(Words("of  "), *names, Words(":  "), *parts[1:], settles="dynamic stiffness", uses=uses)
 
-    def _motions(self, uses):
+    def _motions(self, uses: list[int]) -> None:
         """The lines of U of each motion."""
         for i, name in enumerate(self.names):
             letter = self.table.parameter(self.sheet.letter(f"U{i + 1}"))
@@ -195,12 +199,12 @@ class _SteadyMembers:
             self.sheet.write(*told, settles=f"steady {name}", value=value, unit=unit, uses=uses, joined=i > 0,
                              letter=letter.name if self.undamped else "", vanishes=row)
 
-    def _row(self, i) -> "Node":
+    def _row(self, i: int) -> "Node":
         """What vanishes of a row of D U = F."""
         return self.table.total([self._exact(d.real) * self.table.parameter(self.sheet.letter(f"U{j + 1}"))
                                  for j, d in enumerate(self.D[i])]) - self._exact(self.loads.forces[i].real)
 
-    def _exact(self, value) -> "Node":
+    def _exact(self, value: Any) -> "Node":
         return self.table.number(fraction_of(float(value)))
 
 

@@ -44,7 +44,7 @@ class ReflectingEnd(NamedTuple):
 class WavesOfMember:
     """The lines of the only member of a scene, which is one piece without weight or foundation; None of others."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution) -> None:
         self.problem, self.sheet, self.scene, self.table = problem, sheet, problem.scene, problem.scene.table
         self.floats = problem.numeric.floats
         self.placed, = problem.symbolic.linearisation.pieces
@@ -78,7 +78,7 @@ class WavesOfMember:
         for one in self.problem.spec.answers:
             self._asked(one.asked, [*lines, *reflected])
 
-    def _end(self, row):
+    def _end(self, row: "dict[int, Node]") -> ReflectingEnd | None:
         """An end by what acts on it; None of one that has mass or a spring, or moves with other things."""
         if not row:
             return ReflectingEnd(-self.table.one)
@@ -93,10 +93,10 @@ class WavesOfMember:
         return ReflectingEnd(textbook((self._impedance - b) / (self._impedance + b)), (Z, b))
 
     @property
-    def _impedance(self):
+    def _impedance(self) -> "Node":
         return self.table.sqrt(self.S * self.mu)
 
-    def _start(self) -> "tuple[Callable, Node | None] | None":
+    def _start(self) -> "tuple[Callable[..., Any], Node | None] | None":
         """(u(x, 0) from rest as a function, its expression where the file gives it); None of what moves at t = 0, or
         does not start."""
         scene, problem = self.scene, self.problem
@@ -109,7 +109,7 @@ class WavesOfMember:
         powers = _held_shape(problem) if given is None and problem.spec.let_go else None
         return None if powers is None else ((lambda x: sum(c * x**k for k, c in enumerate(powers))), None)
 
-    def _reflected(self, end, right, uses):
+    def _reflected(self, end: Any, right: Any, uses: list[int]) -> int:
         """The line of what comes back from an end."""
         L = self.L
         where = [Words("at x = "), L, Words(":  ")] if right else [Words("at x = 0:  ")]
@@ -131,7 +131,7 @@ class WavesOfMember:
                                 "·", *comes, " + (1 − ", r, ")·", *at, settles=r.name, node=end.r, value=factor,
                                 uses=[self.sheet.last])
 
-    def _asked(self, asked: "Expression", uses):
+    def _asked(self, asked: "Expression", uses: list[int]) -> None:
         """A place at an instant by both waves, where they give what the engine does."""
         tree = asked.tree
         if getattr(tree, "head", "") != VALUE or not isinstance(tree.args[0], NameRef) or tree.args[0].primes or (
@@ -156,12 +156,12 @@ class WavesOfMember:
                              f"({told(x + self.speed * t)}) = {told(one)} {sign} {told(abs(other))}", *number(
                                  value, unit), settles=asked.text, value=value, unit=unit, uses=uses)
 
-    def _number(self, tree) -> float:
+    def _number(self, tree: Any) -> float:
         node = lower(tree, self.table, lambda name, *_: self.scene.parameters.nodes[name])
         return float(evaluate([node], Floats, self.floats)[0])
 
 
-def _wave(shape: Callable, length: float, factors: list[float], which: int) -> Callable:
+def _wave(shape: Callable[[float], Any], length: float, factors: list[float], which: int) -> Callable[..., float]:
     """f of which = −1, g of which = 1, along the member and beyond its ends by what comes back from them."""
     rates = dict(zip((-1, 1), factors, strict=True))
 
@@ -176,13 +176,13 @@ def _wave(shape: Callable, length: float, factors: list[float], which: int) -> C
     return lambda x: at(_within(x, length), which, MOST)
 
 
-def _within(x, length):
+def _within(x: float, length: float) -> float:
     """A place that rounding alone puts beyond an end is there."""
     near = min((0.0, length), key=lambda end: abs(x - end))
     return near if abs(x - near) <= CLOSE * length else x
 
 
-def _held_shape(problem) -> list[float] | None:
+def _held_shape(problem: "Problem") -> list[float] | None:
     """Coefficients of the powers of x in which what lets go holds the only piece, from rest; None of other shapes."""
     pieces, held = problem.configuration.linear_system.pieces, problem.configuration.preloaded
     if len(pieces) != 1 or held is None:

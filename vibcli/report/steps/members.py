@@ -1,8 +1,9 @@
 """The steps of one member, or two end to end, that vibrate: differential equation, standing waves, what holds at each
 station, constants, frequency equation, its first roots and their frequencies (Rao 2007, chapters 8, 9 and 11)."""
 
+from collections.abc import Mapping, Sequence
 from math import isclose, pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.analyses.closed_form.hanging_strings import HangingString
 from vibcli.analyses.closed_form.member_frequencies import chains, frequency_equations
@@ -29,7 +30,11 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.member_frequencies import FrequencyEquation
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.elements.member import Member
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 EXACT = 1e-9            # relative: of a root that a formula gives
 FIRST = 3               # roots that are told
@@ -43,7 +48,7 @@ UNKNOWN = "the steps of these members are not told: their equilibrium is not kno
 class MemberSteps:
     """The steps of the members of a problem, written on a sheet."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution) -> None:
         self.problem, self.sheet, self.scene, self.table = problem, sheet, problem.scene, problem.scene.table
         if not problem.symbolic.linearisable:
             raise PhysicsError(UNKNOWN, HINT)
@@ -59,7 +64,7 @@ class MemberSteps:
         tell_motion_of_members(self.problem, self.sheet, self._write())
         self.sheet.steps[before:] = map(letters.step, self.sheet.steps[before:])
 
-    def _write(self):
+    def _write(self) -> list[Any]:
         if self.scene.loops is not None:
             self._by_a_search(self._others())
             return []
@@ -81,13 +86,13 @@ class MemberSteps:
             (self._of_hanging if isinstance(one, HangingString) else self._of_tied)(one)
         return [*alone, *groups]
 
-    def _others(self):
+    def _others(self) -> list[int]:
         """Coordinates that are no motion of a station."""
         own = {node for member in self.scene.members.values() for station in member.stations
                for node in member.motions(station)}
         return [i for i, q in enumerate(self.scene.q) if q not in own]
 
-    def _by_a_search(self, others):
+    def _by_a_search(self, others: Sequence[int]) -> None:
         """The equations alone, and the frequencies at which they hold."""
         if self.problem.numeric.has_free_symbols:
             raise PhysicsError(WITHOUT, HINT)
@@ -99,7 +104,7 @@ class MemberSteps:
         told = f"they hold{words} at frequencies that a search finds, which misses none"
         self._searched(self.sheet.write(Words(told), settles="frequencies", uses=lines))
 
-    def _searched(self, line):
+    def _searched(self, line: int) -> None:
         """The first frequencies."""
         for mode in self.problem.modal.modes.first(FIRST):
             if mode.omega:
@@ -107,22 +112,22 @@ class MemberSteps:
                 self.sheet.write(f"ω{lowered(mode.index)}", *number(omega, "rad/s"), *of_time(self.sheet, omega),
                                  settles=f"omega[{mode.index}]", value=omega, unit="rad/s", uses=[line])
 
-    def _bound(self, names):
+    def _bound(self, names: Any) -> list[int]:
         """The equations of what members are held to."""
         return [self._carried(i, "what it is held to:  ") for i in self._tied(names)]
 
-    def _tied(self, names):
+    def _tied(self, names: "dict[str, Member]") -> list[int]:
         """Which coordinates move members that have them not of their own."""
         members = [self.scene.members[name] for name in names]
         tied = reachable([node for one in members for station in one.stations for node in one.motions(station)])
         return [i for i, q in enumerate(self.scene.q) if q in tied
                 and not any(member.has_coordinate(q.name) for member in self.scene.members.values())]
 
-    def _carried(self, i, words="what it carries:  "):
+    def _carried(self, i: int, words: str = "what it carries:  ") -> int:
         one = carried(i, self.form.pieces, self.matrices, self.scene)
         return self.sheet.write(Words(words), *one.parts, settles=f"equation[{self.scene.q[i].name}]")
 
-    def _of_tied(self, found):
+    def _of_tied(self, found: Any) -> None:
         """Members that meet in one motion: the dynamic stiffness of each, and what they make together."""
         uses = [line for name in found.members for first, held in [self._conditions(name)] for line in (first, *held)]
         joint = [*map(self._carried, found.hung), *self._bound(found.members)]
@@ -144,7 +149,7 @@ class MemberSteps:
             self._searched(self.sheet.write(Words("its roots, by a search, which misses none"), settles="frequencies",
                                             uses=[line]))
 
-    def _of_hanging(self, found):
+    def _of_hanging(self, found: HangingString) -> None:
         """A string whose tension varies: Bessel functions of z, what its ends ask, the first roots."""
         uses = [line for name in found.members for first, held in [self._conditions(name)] for line in (first, *held)]
         uses += [*map(self._carried, found.hung), *self._bound(found.members)]
@@ -157,7 +162,7 @@ class MemberSteps:
             self._searched(self.sheet.write(Words("its roots, by a search, which misses none"), settles="frequencies",
                                             uses=[line]))
 
-    def _of_one(self, found):
+    def _of_one(self, found: "FrequencyEquation") -> None:
         conditions = [self._conditions(name) for name in found.members]
         hung = [*map(self._carried, found.hung), *self._bound(found.members)]
         waves = self._standing_waves(found, [first for first, _ in conditions])
@@ -176,10 +181,10 @@ class MemberSteps:
                                 uses=asked or uses, settles="frequency equation")
         self._roots(found, ends, line, self._frequency(found, line))
 
-    def _pressed(self, found):
+    def _pressed(self, found: "FrequencyEquation") -> bool:
         return any(not (part.piece.bending.is_zero or part.piece.tension.is_zero) for part in found.pieces)
 
-    def _standing_waves(self, found, uses):
+    def _standing_waves(self, found: "FrequencyEquation", uses: list[int]) -> int:
         """u = X(x) sin(ωt + ε), β by ω, the general solution; of a beam under tension the shape that fits its ends."""
         piece = found.pieces[0].piece
         inertia = piece.inertia * found.omega ** 2 - piece.foundation
@@ -200,7 +205,7 @@ class MemberSteps:
                                 power, textbook(inertia / stiffness), Words(where), settles="beta", uses=uses)
         return self._general("βx", found.order, " in each part" * bool(where), line)
 
-    def _two_waves(self, found, inertia, uses):
+    def _two_waves(self, found: "FrequencyEquation", inertia: "Node", uses: list[int]) -> int:
         """α and β of a beam under an axial force that bends otherwise than a sine."""
         piece, (alpha, beta) = found.pieces[0].piece, map(self.table.parameter, "αβ")
         difference, both = (textbook(one / piece.bending) for one in (piece.tension, inertia))
@@ -210,14 +215,14 @@ class MemberSteps:
                                 uses=uses)
         return self._general("αx", found.order, "", line)
 
-    def _general(self, along, order, where, line):
+    def _general(self, along: str, order: int, where: str, line: int) -> int:
         """C₁ cos βx + …, `along` the argument of cosh and sinh."""
         names = ["cos βx", "sin βx", f"cosh {along}", f"sinh {along}"][:order]
         general = [part for k, name in enumerate(names, 1) for part in (
             " + ", Name(self.sheet.letter(f"C{k}")), f"·{name}")][1:]
         return self.sheet.write(Words(f"general solution{where}:  "), "X = ", *general, settles="X", uses=[line])
 
-    def _frequency(self, found, uses):
+    def _frequency(self, found: "FrequencyEquation", uses: int) -> int:
         """ω by βL."""
         x, order = found.wave_number, found.order
         omega, alone = found.omega, textbook(found.square / x ** order)
@@ -226,7 +231,7 @@ class MemberSteps:
         node = x ** (order // 2) * self.table.sqrt(alone)
         return self.sheet.write(omega, " = ", node, settles="omega", node=node, uses=[uses])
 
-    def _roots(self, found, ends, equation, frequency):
+    def _roots(self, found: "FrequencyEquation", ends: Ends, equation: int, frequency: int) -> None:
         """βL and ω of the first modes; of an equation without letters all by a formula."""
         left, right = sides(found)
         simple = SIMPLE.get(left.name) if right.is_zero and left.op == "call" else None
@@ -245,14 +250,14 @@ class MemberSteps:
             ends.hold(root, floats)
             self._of_mode(found, mode, root, equation, frequency, self._multiple(root) if simple else None)
 
-    def _root_of(self, found, mode, floats):
+    def _root_of(self, found: "FrequencyEquation", mode: "Mode", floats: Mapping[str, float]) -> float | None:
         """βL of a mode; None of one that grows, moves freely or belongs to other members."""
         if not mode.omega:
             return None
         x, square = found.wave_number, float(mode.omega)**2
 
         def residual(at: float) -> float:
-            return evaluate([found.square], Floats, {**floats, x.name: at})[0] - square
+            return cast("float", evaluate([found.square], Floats, {**floats, x.name: at})[0] - square)
 
         low, high = NEAR, 1.0
         while residual(high) < 0:
@@ -268,12 +273,13 @@ class MemberSteps:
         values, beside = (evaluate(found.terms, Floats, {**floats, x.name: at}) for at in (root, BESIDE * root))
         return root if abs(sum(values)) <= CLOSE * sum(map(abs, beside)) else None
 
-    def _multiple(self, root):
+    def _multiple(self, root: float) -> "Node | None":
         """A root as so many halves of π; None of another."""
         halves = round(2 * root / pi)
         return self.table.pi * halves / 2 if isclose(root, halves * pi / 2, rel_tol=EXACT) else None
 
-    def _of_mode(self, found, mode, root, equation, frequency, exact):
+    def _of_mode(self, found: "FrequencyEquation", mode: "Mode", root: float, equation: int, frequency: int,
+                 exact: "Node | None") -> None:
         x, order, k = found.wave_number, found.order, lowered(mode.index)
         omega = float(mode.omega)
         alone = textbook(found.square / x ** order)

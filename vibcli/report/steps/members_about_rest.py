@@ -1,6 +1,7 @@
 """The steps of members of a scene whose equilibrium a search finds: where it rests, M and K of what is lumped about it,
 and with the dynamic stiffness of each stretch det D(ω) = 0 (V. Koloušek, Dynamics in Engineering Structures, 1973)."""
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from vibcli.notation.names import lowered
@@ -11,6 +12,9 @@ from vibcli.report.steps.member_steady import tell_end_forces
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
 
 if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.factored_system import PlacedPiece
     from vibcli.results.problem import Problem
 
 STIFFNESS = {2: "S", 4: "B"}        # letter by order
@@ -53,7 +57,7 @@ def tell_members_about_rest(problem: "Problem", sheet: WorkedSolution) -> None:
                         settles=f"omega[{mode.index}]", value=omega, unit="rad/s", uses=[line])
 
 
-def _stretch(problem, sheet, placed, which, line):
+def _stretch(problem: "Problem", sheet: WorkedSolution, placed: "PlacedPiece", which: str, line: int) -> int:
     """The line of β of a uniform stretch."""
     piece, turns = placed.piece, problem.scene.members[placed.owner].kind.letter == "phi"
     stiff, power = STIFFNESS[piece.order], "⁴" if piece.bending else "²"
@@ -63,7 +67,7 @@ def _stretch(problem, sheet, placed, which, line):
             float(piece.bending or piece.tension), unit), settles=f"beta {placed.owner}{which}", uses=[line])
 
 
-def _entries(problem, name, which, matrix):
+def _entries(problem: "Problem", name: str, which: str, matrix: "np.ndarray") -> Iterator[Name | str | Words]:
     """Parts of the entries on the diagonal and above that are not zero, a comma before each."""
     least = NOTHING * abs(matrix).max()
     for i in range(len(matrix)):

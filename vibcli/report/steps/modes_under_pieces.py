@@ -21,6 +21,8 @@ from vibcli.report.steps.waves_in_numbers import know_decay, with_numbers
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.symbolic.node import Node
+
 LETTERS = {"impulse": "h", "step": "s", "ramp": "r", "sin": "v", "cos": "w", "place": "d"}      # of unit responses
 ROUNDED = 1e-9          # relative: of a load that swings as a mode that nothing damps
 UNITS = "1/kg", "1/(kg·m)", "1/(kg·m²)"         # of what a mode has of loads, by how many coordinates turn
@@ -30,8 +32,8 @@ POSITIVE = "   (each from when its argument is positive)"
 class ModesUnderPieces:
     """The lines of such a motion by real modes."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations,
-                 modes: "Sequence[ModeFromStart]", loads: LoadsOnModes):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations, modes: "Sequence[ModeFromStart]",
+                 loads: LoadsOnModes) -> None:
         self.about, self.sheet, self.modes, self.loads, self.table = about, sheet, modes, loads, about.table
         self.found, self.names, self.tau = found, about.scene.coordinates, about.letter(sheet.letter("tau"))
         self.units = ["m" if about.problem.system.dimension(name) else "rad" for name in self.names]
@@ -60,38 +62,38 @@ class ModesUnderPieces:
             self.sheet.by_pieces[name] = motion
         return all(is_of_engine(self.about, self.sheet, *pair) for pair in zip(self.names, motions, strict=True))
 
-    def _kinds(self):
+    def _kinds(self) -> dict[str, None]:
         """Of what begins: places and speeds of the start, and pieces of loads."""
         start = [kind for kind, rest in zip(("place", "impulse"), self.rest, strict=True) if not rest]
         return dict.fromkeys([*start, *(piece.kind for pieces in self.loads.pieces.values() for piece in pieces)])
 
-    def _resonates(self):
+    def _resonates(self) -> bool:
         Omega = None if self.Omega.is_zero else self.about.value(self.Omega)
         return Omega is not None and any(abs(mode.omega - Omega) <= ROUNDED * Omega and not mode.delta
                                          for mode in self.modes)
 
-    def _p(self, k):
+    def _p(self, k: int) -> Name:
         return Name(self.sheet.letter(f"p{self.modes[k].order}"))
 
-    def _letter(self, letter, index):
+    def _letter(self, letter: str, index: Any) -> "Node":
         return self.about.letter(self.sheet.letter(letter, index) if index == "k" else self.sheet.letter(
             f"{letter}{index}"))
 
-    def _response(self, kind, index, damped):
+    def _response(self, kind: str, index: Any, damped: bool) -> Any:
         """To a unit of a kind, by the letters of a mode."""
-        omega, *decays = (self._letter(letter, index) for letter in ("omega", "delta", "omega_d"))
-        unit = UnitResponses(self.table.one, omega ** 2, omega, *decays, self.tau, damped)
+        omega, delta, omega_d = (self._letter(letter, index) for letter in ("omega", "delta", "omega_d"))
+        unit = UnitResponses(self.table.one, omega ** 2, omega, delta, omega_d, self.tau, damped)
         if kind not in WAVES:
             return unit.of(kind)
         return unit.to_wave(kind, self.Omega, self._letter("R", index), self._letter("S", index) if damped else (
             self.table.zero))
 
-    def _of_mode(self, kind, mode):
+    def _of_mode(self, kind: str, mode: Any) -> Any:
         """The same of a mode of this number; of one that moves freely that."""
         return self._response(kind, mode.order, bool(mode.delta)) if mode.omega else moving_freely(
             kind, self.tau, self.Omega)
 
-    def _unit(self, kind, uses):
+    def _unit(self, kind: str, uses: "Sequence[int]") -> list[int]:
         """The lines of what a unit of a kind brings about."""
         resists = self._resistances(uses) if kind in WAVES and not self._resists else []
         self._resists = self._resists or resists
@@ -104,7 +106,7 @@ class ModesUnderPieces:
         return [*resists, self.sheet.write(Words(what), Name(name), "(τ) = ", self._response(
             kind, "k", self.damped), *told, settles=name, uses=[*uses, *resists])]
 
-    def _resistances(self, uses):
+    def _resistances(self, uses: "Sequence[int]") -> list[int]:
         """The line of R and S of each mode that is brought back."""
         known, speed = [], self.about.value(self.Omega) or 0.0
         for mode in (mode for mode in self.modes if mode.omega):
@@ -118,22 +120,22 @@ class ModesUnderPieces:
                              uses=uses)
         return [self.sheet.last]
 
-    def _sum(self, k, uses):
+    def _sum(self, k: int, uses: "Sequence[int]") -> int:
         """The line of the normal coordinate of a mode."""
         pieces = self._pieces(k)
         parts = with_numbers(self.sheet, MotionByPieces(pieces, self.tau, 0, None).told(pieces, self.about.scene.time))
         return self.sheet.write(Words("so by superposition  "), self._p(k), " = ", *(parts or ["0"]), *[Words(
             POSITIVE)] * (k == 0), settles=self._p(k).text, uses=uses)
 
-    def _coordinate(self, i, motion, uses):
+    def _coordinate(self, i: int, motion: Any, uses: "Sequence[int]") -> None:
         name = self.names[i]
         self.sheet.write(*([Words("and  ")] if i == 0 else []), Name(name), " = ", *motion.told([], None),
                          settles=f"motion of {name}", uses=uses, joined=i > 0)
 
-    def _parts_of(self, i):
+    def _parts_of(self, i: int) -> list[PartOfMode]:
         return [PartOfMode(mode.shape[i], self._p(k)) for k, mode in enumerate(self.modes) if mode.shape[i]]
 
-    def _integrals(self, uses):
+    def _integrals(self, uses: "Sequence[int]") -> None:
         """The lines of p under any loads, as the sum of the impulses that these consist of, and of the coordinates."""
         t, self.Omega = self.about.scene.time, self.table.zero
         kinds = ["impulse", *(["place"] * (not self.rest[0]))]
@@ -149,7 +151,7 @@ class ModesUnderPieces:
         for i in range(len(self.names)):
             self._coordinate(i, MotionByModes(MotionByPieces([], self.tau, lines[0], None), self._parts_of(i)), lines)
 
-    def _equation(self, mode, mass):
+    def _equation(self, mode: Any, mass: float) -> int:
         """The line of a mode: its shape, the equation of its normal coordinate, and how that starts."""
         p, u, M, Q, order = *(Name(self.sheet.letter(f"{letter}{mode.order}")) for letter in "pu"), Name(
             self.sheet.matrix("M")), Name(self.sheet.letter("Q")), mode.order
@@ -172,21 +174,21 @@ class ModesUnderPieces:
             know_decay(self.sheet, order, mode.delta, mode.rate, line)
         return line
 
-    def _start(self, mode):
+    def _start(self, mode: Any) -> list[Any]:
         """Parts of p(0) and ṗ(0), where not all modes start at rest."""
         if all(self.rest):
             return []
         values = number(mode.place, self.units[0]), number(mode.speed, f"{self.units[0]}/s")
         return [Words(",  "), *values_of_start(self.sheet, mode.order, values, self.rest)]
 
-    def _decay(self, mode):
+    def _decay(self, mode: Any) -> list[Any]:
         """Parts of δ and ω_d of a mode that is damped."""
         if not mode.delta:
             return []
         return [Words(",  "), self._letter("delta", mode.order), *number(mode.delta, "1/s"), Words(",  "), self._letter(
             "omega_d", mode.order), *number(mode.rate, "rad/s")]
 
-    def _weights(self, k, i):
+    def _weights(self, k: int, i: int | None) -> "list[tuple[str, float, str, Sequence[LoadPiece]]]":
         """[(the name of the factor of pₖ's part in a coordinate, of itself where i is None; its value, its unit, the
         pieces that it belongs to)] of the start and of the loads."""
         mode, of = self.modes[k], "p" if i is None else self.names[i]
@@ -197,17 +199,17 @@ class ModesUnderPieces:
             *begins, *((f"{of}{j + 1}", share * mode.shape[j] / self.masses[k], UNITS[
                 (turned == "rad") + (self.units[j] == "rad")], pieces) for j, pieces in self.loads.pieces.items()))]
 
-    def _know(self, i):
+    def _know(self, i: int) -> None:
         """Let the last line tell the letters of the weights of a coordinate."""
         for name, value, unit, _ in (one for k in range(len(self.modes)) for one in self._weights(k, i)):
             if value:
                 self.sheet.write(settles=name, letter=name, value=abs(value), joined=True, uses=[self.sheet.last],
                                  unit=unit)
 
-    def _of_all(self, i):
+    def _of_all(self, i: int) -> list[ToldPiece]:
         return [piece for k in range(len(self.modes)) for piece in self._pieces(k, i)]
 
-    def _pieces(self, k, i=None):
+    def _pieces(self, k: int, i: int | None = None) -> list[ToldPiece]:
         """The pieces that a mode has in a coordinate; those of the normal coordinate where i is None."""
         mode, together = self.modes[k], {}
         for letter, weight, _, pieces in self._weights(k, i):

@@ -20,7 +20,10 @@ from vibcli.symbolic.normal_form import textbook
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    import numpy as np
+
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.syntax import NameRef
 
 LOOKED_AT = 400         # places between two turning places, of which V is nowhere below that at rest
 CLOSE, ROUNDING = 1e-9, 4e-16          # relative; of a float and what is read off one
@@ -44,7 +47,7 @@ def tell_motion(problem: "Problem", sheet: WorkedSolution, lines: "Sequence[int]
 class EnergyIntegral:
     """½ m(q) q̇² + V(q) = E of the one coordinate of a problem, written on a sheet."""
 
-    def __init__(self, problem: "Problem", sheet: WorkedSolution):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution) -> None:
         from vibcli.analyses.nonlinear.well import Well
 
         self.problem, self.sheet, self.scene = problem, sheet, problem.scene
@@ -70,7 +73,7 @@ class EnergyIntegral:
                                  *number(E, "J"), settles=self.E.name, value=E, unit="J", uses=[energy])
         self._turning(place, speed, E, start)
 
-    def _holds(self):
+    def _holds(self) -> bool:
         """Is q̇ times the equation of motion the rate of ½ m q̇² + V?"""
         equations = self.problem.symbolic.equations.full
         if not equations:
@@ -78,7 +81,7 @@ class EnergyIntegral:
         rate = self.scene.rate(self.M * self.v ** 2 / 2 + self.V)
         return same_in_motion(self.problem, [equations[0] * self.v], [rate])
 
-    def _energy(self, lines):
+    def _energy(self, lines: "Sequence[int]") -> int:
         """The line of the integral, solved for the speed."""
         self.E = self.scene.table.parameter(self.sheet.letter("E"), positive=False)
         kinetic = short_form(self.M * self.v ** 2 / 2)
@@ -87,7 +90,7 @@ class EnergyIntegral:
         node = 2 * (self.E - self.V) / self.M
         return self.sheet.write(self.v ** 2, " = ", node, settles=f"{self.name}'^2", node=node, uses=[line])
 
-    def _at_start(self, place, speed):
+    def _at_start(self, place: float, speed: float) -> float:
         """½ m q̇² + V at the start, zero where the place is a float too coarse to tell it from that."""
         slope = gradient(self.V).get(self.q, self.scene.table.zero)
         kinetic, potential, tilt = evaluate([self.M * self.v ** 2 / 2, self.V, slope], Floats, {
@@ -95,7 +98,7 @@ class EnergyIntegral:
         known = abs(kinetic) + abs(potential) + abs(tilt * place)
         return kinetic + potential if abs(kinetic + potential) > ROUNDING * known else 0.0
 
-    def _turning(self, place, speed, E, start):
+    def _turning(self, place: float, speed: float, E: float, start: int) -> None:
         """Where it turns, how long it takes, and how fast it is where V is least."""
         from vibcli.analyses.nonlinear.turning_points import turning_point
 
@@ -114,12 +117,12 @@ class EnergyIntegral:
             self.name + "'"), "|", Words(", is the period:  "), Name(self.sheet.letter("T", "E")), *number(period, "s"),
             settles=f"period({self.name})", value=period, unit="s", uses=[turns])
 
-    def _tree(self):
+    def _tree(self) -> "NameRef":
         from vibcli.symbolic.syntax import NameRef
 
         return NameRef(0, len(self.name), self.name, 0)
 
-    def _fastest(self, low, high, E, line):
+    def _fastest(self, low: float, high: float, E: float, line: int) -> None:
         """The greatest speed, where m is constant and V nowhere less than at rest."""
         import numpy as np
 
@@ -137,7 +140,7 @@ class EnergyIntegral:
                          settles=f"max({self.name}')", value=value, unit=f"{self.unit}/s")
 
 
-def _at(place):
+def _at(place: float) -> "np.ndarray":
     import numpy as np
 
     return np.array([place])

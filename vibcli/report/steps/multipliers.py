@@ -4,6 +4,7 @@
 
 h what the second rate of the conditions g = 0 has beside accelerations (Lagrange's equations of the first kind)."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING
@@ -18,6 +19,8 @@ from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 MOST = 4            # accelerations and multipliers that are solved for in letters
 READABLE = 40       # letters of a second rate or a multiplier, up to which it is told
@@ -50,7 +53,8 @@ def tell_multipliers(problem: "Problem", sheet: WorkedSolution, text: str) -> No
                         settles=tie.signal, node=node if shown else None, uses=uses)
 
 
-def _solved(problem, scene, rows, multipliers):
+def _solved(problem: "Problem", scene: "Scene", rows: "list[Node]",
+            multipliers: "Sequence[Node]") -> "dict[Node, Node]":
     """{multiplier: what it is} by equations and second rates; none of many, or where these do not fix them."""
     unknown = [*scene.a, *multipliers]
     if len(unknown) > MOST or len(scene.q) - len(problem.scene.q) != len(multipliers):

@@ -2,7 +2,7 @@
 start."""
 
 from math import isclose, tau
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.analyses.closed_form.free_response import CRITICAL, OVER, UNDAMPED, UNDER, regime_at
 from vibcli.base.errors import PhysicsError
@@ -25,6 +25,9 @@ from vibcli.symbolic.normal_form import is_zero, textbook
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vibcli.language.reader import Expression
+    from vibcli.symbolic.node import Node
+
 FACTORS = {"M": ("acceleration", "kg", "kg·m²"), "C": ("speed", "N·s/m", "N·m·s/rad"),
            "K": ("coordinate", "N/m", "N·m/rad")}       # {matrix: what it stands before, its unit, that of a turn}
 ROUNDING = 2.0**-50         # of ζ that is 1
@@ -35,7 +38,7 @@ AS_PRINTED = 1e-5           # relative: of a difference of two numbers of six di
 class OneDegree:
     """The steps of m q̈ + c q̇ + k q = Q."""
 
-    def __init__(self, degree: Degree):
+    def __init__(self, degree: Degree) -> None:
         self.degree, self.problem, self.about = degree, degree.problem, degree.about
         self.sheet, self.found, self.M, self.C, self.K = degree.sheet, degree.found, degree.M, degree.C, degree.K
         self.omega, self.delta, self.zeta, self.omega_d = degree.omega, degree.delta, degree.zeta, degree.omega_d
@@ -57,10 +60,10 @@ class OneDegree:
             return
         of_omega = self._frequency(square)
         of_delta = None if self.C.is_zero else self._damping(of_omega)
-        self._free_motion([of_omega, of_delta])
+        self.write_motion([of_omega, of_delta])
         tell_forced(self.degree)
 
-    def _factors(self):
+    def _factors(self) -> None:
         """The factors of acceleration, speed and coordinate that sheets and answers ask for."""
         rules, answers = self.problem.spec.get("variants"), self.problem.spec.answers
         asked = [one.asked for one in (*(rules.ask if rules is not None else ()), *(
@@ -78,16 +81,16 @@ class OneDegree:
             for other in others:
                 self.sheet.settles_too(line, other, node, line.value, line.unit)
 
-    def _is_here(self, asked):
+    def _is_here(self, asked: "Expression") -> bool:
         """Is it asked of this place of rest?"""
         here = self.about.value(getattr(self, asked.tree.head))
         return not asked.tree.alone or (here is not None and isclose(value_of(self.problem, asked)[0], here))
 
-    def _is_read_off(self, head):
+    def _is_read_off(self, head: str) -> bool:
         """Is a factor nothing, or a letter?"""
-        return getattr(self, head).is_zero or getattr(self, head).op == "symbol"
+        return cast("bool", getattr(self, head).is_zero or getattr(self, head).op == "symbol")
 
-    def _frequency(self, square):
+    def _frequency(self, square: "Node") -> int:
         omega = self.degree.root(square)
         line = self.degree.settled([self.omega ** 2, *self._quotient(square), " = ", square, Words(",  "), self.omega],
                                    omega, "rad/s", "omega[1]", self.found.lines, letters=False)
@@ -98,7 +101,7 @@ class OneDegree:
                              settles="frequency[1]", node=self.omega / turn, value=value / tau, unit="Hz", joined=True)
         return line
 
-    def _quotient(self, square):
+    def _quotient(self, square: "Node") -> list[Quotient | str]:
         """Parts of ` = K/M`, where that is not yet the square in its simplest form and no long one."""
         halved = any(part.op == "product" and part.coefficient.denominator > 1 for part in (self.K, self.M))
         size = letters(self.K) + letters(self.M)
@@ -106,7 +109,7 @@ class OneDegree:
             return []
         return [" = ", Quotient(self.K, self.M)]
 
-    def _damping(self, of_omega):
+    def _damping(self, of_omega: int) -> int:
         """δ = c/(2m), ζ = δ/ω, ω_d; the number of the last line."""
         delta = single(self.C / (2 * self.M))
         of_delta = self.degree.settled([*self._by_acceleration(), self.delta], delta, "1/s", self.delta.name,
@@ -122,12 +125,12 @@ class OneDegree:
             return self._damped_frequency(delta, [of_omega, of_delta, line])
         return line
 
-    def _is_chosen_critical(self):
+    def _is_chosen_critical(self) -> bool:
         """Does the scene choose a parameter so that ζ is one?"""
         conditions = [record["so"] for record in (self.problem.spec.choices or {}).values()]
         return any(not so.word and (so.left.text, so.right.text.strip()) == ("zeta[1]", "1") for so in conditions)
 
-    def _by_acceleration(self):
+    def _by_acceleration(self) -> "list[Node | str | Words]":
         """Parts that say what δ is: the equation over the factor of the acceleration, where nothing drives."""
         if self.found.drive:
             return [Words("half the factor of the speed over that of the acceleration:  ")]
@@ -135,15 +138,15 @@ class OneDegree:
         node = scene.a[0] + 2 * self.delta * scene.v[0] + self.omega ** 2 * scene.q[0]
         return [Words("so  "), node, " = 0", Words("  with  ")]
 
-    def _is_critical(self):
+    def _is_critical(self) -> bool:
         """Is ζ one, in letters or but for rounding?"""
         value = self.about.known_value(self._zeta())
         return is_zero(self.C * self.C - 4 * self.M * self.K) or (value is not None and abs(value - 1) <= ROUNDING)
 
-    def _zeta(self):
-        return self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M))
+    def _zeta(self) -> "Node":
+        return cast("Node", self.C / (2 * self.degree.root(self.K) * self.degree.root(self.M)))
 
-    def _damped_frequency(self, delta, uses):
+    def _damped_frequency(self, delta: "Node", uses: list[int]) -> int:
         from vibcli.analyses.closed_form.one_degree import damped_frequency
 
         known = self.about.known_value(self._zeta()) is not None or self.problem.spec.choices
@@ -160,11 +163,7 @@ class OneDegree:
             Words("   (under-damped, "), self.delta, " < ", self.omega, Words(")")])
 
     def write_motion(self, uses: "Sequence[int]") -> None:
-        """Write down the free motion of one whose frequency and damping lines tell."""
-        self._free_motion(uses)
-
-    def _free_motion(self, uses):
-        """The constants of the free motion from the start that the file gives."""
+        """The constants of the free motion from the start that the file gives; lines tell frequency and damping."""
         from vibcli.mechanics.initial_state import start_in_letters
 
         try:
@@ -174,11 +173,12 @@ class OneDegree:
         if start is None or self.found.drive or self.problem.spec.in_full:
             return
         regime = self._regime()
-        told = {UNDAMPED: self._oscillates, UNDER: self._oscillates, CRITICAL: self._critical, OVER: self._overdamped}
+        told: dict[str, Any] = {UNDAMPED: self._oscillates, UNDER: self._oscillates, CRITICAL: self._critical,
+                                OVER: self._overdamped}
         if regime in told:
             told[regime](start, uses)
 
-    def _regime(self):
+    def _regime(self) -> str | None:
         """How it is damped; lightly where letters decide, None where the scene chooses these."""
         if self.C.is_zero:
             return UNDAMPED
@@ -189,7 +189,7 @@ class OneDegree:
             return None if self.problem.spec.choices else UNDER
         return regime_at(1.0, 2.0 * zeta, 1.0)
 
-    def _letters(self, start):
+    def _letters(self, start: "Sequence[Any]") -> "list[Node]":
         """A, B, the start and its speed: letters for these where they are no letter and not zero."""
         name = self.degree.name
         at_start = f"{name}_0" if name[-1].isdigit() else f"{name}0"
@@ -197,7 +197,7 @@ class OneDegree:
         return [node or self.about.letter(self.sheet.letter(letter)) for letter, node in zip(
             ("A", "B", at_start, "v0"), (None, None, *known), strict=True)]
 
-    def _oscillates(self, start, uses):
+    def _oscillates(self, start: "list[Node]", uses: list[int | None]) -> None:
         table, t = self.about.table, self.problem.scene.time
         A, B, x0, v0 = self._letters(start)
         rate = self.omega if self.C.is_zero else self.omega_d
@@ -215,7 +215,7 @@ class OneDegree:
         tell_extremes(self.degree, Swing(self.about.place[self.about.scene.q[0]], A, None if start[1].is_zero else B,
                                          table.zero, line))
 
-    def _critical(self, start, uses):
+    def _critical(self, start: "list[Node]", uses: list[int]) -> None:
         A, B, x0, v0 = self._letters(start)
         t = self.problem.scene.time
         delta = single(self.C / (2 * self.M))
@@ -225,7 +225,7 @@ class OneDegree:
         wave = FreeWave(A, B, self.about.table.zero, self.delta)
         self.sheet.waves[self.degree.name] = ToldMotion([wave], line)
 
-    def _overdamped(self, start, uses):
+    def _overdamped(self, start: Any, uses: "Sequence[int]") -> None:
         table, t = self.about.table, self.problem.scene.time
         A, B, x0, v0 = self._letters(start)
         roots = [self.about.letter(self.sheet.letter(name)) for name in ("s1", "s2")]
@@ -243,7 +243,8 @@ class OneDegree:
         self._constants([wave], start, ((v0 - roots[1] * x0) / (roots[0] - roots[1]), x0 - A), (first, x - first),
                         [*uses, line], zip(roots, exact, strict=True))
 
-    def _constants(self, motion, start, forms, exact, uses, rates, of_speed=False):
+    def _constants(self, motion: "Sequence[Any]", start: "Sequence[Any]", forms: "tuple[Node, Node]",
+                   exact: "tuple[Node, Node]", uses: list[int | None], rates: Any, of_speed: bool = False) -> int:
         """The form of the motion, its constants from the start, and it with their numbers and those of its `rates`; the
         number of the line of the constants."""
         A, B, x0, v0 = self._letters(start)
@@ -252,7 +253,7 @@ class OneDegree:
                                            if part != "·"))
         line = self.sheet.write(Name(name), " = ", *motion, settles=name, uses=uses, node=moves)
         self._start([(x0, start[0], unit), (v0, start[1], unit + "/s")])
-        of_start: list = []
+        of_start: list[Any] = []
         for which, letter, node, per in ((name, x0, start[0], ""), (name + "'", v0, start[1], "/s")):
             known = None if node.op == "symbol" else self.about.value(node)
             of_start += [Words(",  " * bool(of_start)), Name(which), *([" = ", letter] if letter is not node else []),
@@ -260,7 +261,7 @@ class OneDegree:
                          *(number(known, unit + per) if known else ())]
         found = [(letter, form, self.about.value(value), unit + per) for letter, form, value, per in (
             (A, forms[0], exact[0], ""), (B, forms[1], exact[1], "/s" * of_speed))]
-        constants: list = []
+        constants: list[Any] = []
         for letter, form, known, its in found:
             shown = [] if is_number(form) and known is not None else [" = ", form]
             value = () if known is None else number(known, its)
@@ -273,7 +274,7 @@ class OneDegree:
             (letter, self.about.value(node)) for letter, node in rates)], [*uses, line])
         return line
 
-    def _start(self, known):
+    def _start(self, known: "Sequence[tuple[Node, Node, str]]") -> None:
         """Where and how fast it starts, as far as these have letters."""
         for letter, node, unit in known:
             if letter is not node:
@@ -281,18 +282,18 @@ class OneDegree:
                                  letter=letter.name)
 
 
-def _with_units(node):
+def _with_units(node: "Node") -> "Node":
     """As one fraction, but where that leaves a number in a sum without its unit, as in 25·L² + 81 for L² + 3.24 m²."""
     plainly = textbook(node)
     return plainly if _is_bare(single(node)) and not _is_bare(plainly) else single(node)
 
 
-def _is_bare(node):
+def _is_bare(node: "Node") -> bool:
     return node.table.dimension is not None and any(part.op == "sum" and part.coefficient and not unit_beside(part)
                                                     for part in reachable([node]))
 
 
-def _damped(zeta):
+def _damped(zeta: float) -> str:
     """How a damping ratio damps, in words."""
     if zeta < 0:
         return "negative, so free motion grows"

@@ -48,7 +48,7 @@ def tell_of_overdamped(problem: "Problem", sheet: WorkedSolution, asked: "Expres
 def _forms(tree: Any, s1: "Node", s2: "Node", A: "Node", B: "Node") -> "Iterator[Node]":
     primes, table = tree.args[0].primes, s1.table
 
-    def vanishes(n):
+    def vanishes(n: int) -> "Node":
         return table.call("log", -(B * s2 ** n / (A * s1 ** n))) / (s1 - s2)
 
     if tree.head == "zero" and tree.indices == ("1",):

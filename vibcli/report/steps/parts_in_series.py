@@ -1,7 +1,7 @@
 """What the parts of a spring or damper in series share and what adds up: F = F₁(d₁) = F₂(d₂) = …, d₁ + d₂ + … = Δ."""
 
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.plain import plain
@@ -9,6 +9,7 @@ from vibcli.report.blocks import Words
 from vibcli.report.steps.step import WorkedSolution
 
 if TYPE_CHECKING:
+    from vibcli.language.reader import Record
     from vibcli.results.problem import Problem
 
 
@@ -32,9 +33,9 @@ def tell_parts(problem: "Problem", sheet: WorkedSolution, owner: str) -> None:
                 settles=f"parts of {owner}")
 
 
-def _force(part, x):
+def _force(part: "Record", x: str) -> str | None:
     """F(x) of a part as it is typed; None of one that consists of parts, or is given by a table."""
     text = next((part[key].text for key in ("k", "c", "torsion") if hasattr(part.get(key), "text")), None)
     if text is not None:
         return f"({text})*{x}" if re.search(r"[+\-/ ]", text) else f"{text}*{x}"
-    return getattr(part.get("law"), "text", None)
+    return cast("str | None", getattr(part.get("law"), "text", None))

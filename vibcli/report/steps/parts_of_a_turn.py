@@ -1,10 +1,11 @@
 """Expressions of scenes in letters in their shortest form, where angles are parts of a turn whatever the letters are:
 sin ωt at t = π/ω, of an ω that stands for other letters."""
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
 from math import pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.report.steps.instances import INSTANCES, instances
 from vibcli.symbolic.derivatives import substitute
@@ -35,7 +36,7 @@ def shortest(problem: "Problem", sheet: "WorkedSolution", node: "Node") -> "Node
     return min(node, turned, textbook(substitute([turned], put_in)[0]), key=letters)
 
 
-def _parts_of_a_turn(node, known):
+def _parts_of_a_turn(node: "Node", known: Sequence[Mapping[str, float]]) -> dict[Any, Any]:
     """{sine or cosine: its value} where the angle is π by a small fraction at all values of the letters."""
     found = {}
     for call in reachable([node]):

@@ -54,7 +54,7 @@ def vanishing(problem: "Problem", tree: "QuantityRef", turning: TurningPlaces, V
     return [high - low, of_signal, period - table.total(total)]
 
 
-def _range(problem, tree, turning):
+def _range(problem: "Problem", tree: "QuantityRef", turning: TurningPlaces) -> "Node | None":
     """s(a) − s(b) − 2A."""
     signal, amplitude = (node_of(problem, arg) for arg in tree.args)
     q = problem.free_motions.scene.q[0]

@@ -23,7 +23,7 @@ def tell_period(problem: "Problem", sheet: WorkedSolution, asked: "Expression") 
     return tell_found(problem, sheet, asked, ((node, [node]) for node in _forms(problem, sheet)), [sheet.last])
 
 
-def _forms(problem, sheet) -> "Iterator[Node]":
+def _forms(problem: "Problem", sheet: WorkedSolution) -> "Iterator[Node]":
     table, time = problem.scene.table, problem.scene.time
     waves = waves_of_all(problem.scene, problem.symbolic.excitation)
     rates = dict.fromkeys(gradient(argument)[time] for kinds in waves.values() for argument, _ in kinds)

@@ -4,6 +4,7 @@ linear function of the motion, as the force of a spring or a distance:
     s = Σ αⱼqⱼ + βⱼq̇ⱼ + s₀(t),   S = Σ (αⱼ + iΩβⱼ) Xⱼ + S₀.
 """
 
+from collections.abc import Callable
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -11,11 +12,14 @@ from vibcli.analyses.closed_form.steady_state import waves_of_all
 from vibcli.base.errors import NotInLetters, PhysicsError, SpecError
 from vibcli.base.named_tuple import NamedTuple
 from vibcli.mechanics.signals import moving
+from vibcli.mechanics.symbolic_linear import outputs
 from vibcli.notation.as_printed import as_printed
 from vibcli.notation.plain import plain
 from vibcli.quantities.expression import value_of
-from vibcli.report.blocks import Words
+from vibcli.report.blocks import Factor, Name, Words
 from vibcli.report.steps.complex_nodes import ComplexNode, LetteredStiffness, determinant_of
+from vibcli.report.steps.complex_numbers import complex_parts
+from vibcli.report.steps.held import drive_of
 from vibcli.report.steps.held_against import tell_found
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, number, unit_told
@@ -33,6 +37,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.report.steps.steady_states import SteadyState
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import SyntaxTree
 
 CLOSE = 1e-8        # relative: of an amplitude by the lines and the engine's
 READABLE = 20       # letters of what stands between bars
@@ -41,7 +46,7 @@ READABLE = 20       # letters of what stands between bars
 class Phasors:
     """Those of all coordinates under loads of one frequency; known: have they letters, none of the parts being zero?"""
 
-    def __init__(self, steady: "SteadyState", values: "Sequence[complex]"):
+    def __init__(self, steady: "SteadyState", values: "Sequence[complex]") -> None:
         self.steady, self.sheet, self.about, self.table = steady, steady.sheet, steady.about, steady.table
         self.parts = ("a",) if steady.undamped else ("a", "b")
         self.values = [part for X in values for part in ((X.real,) if steady.undamped else (X.real, X.imag))]
@@ -98,57 +103,66 @@ class Phasors:
             if asked.tree.head == "phase":
                 self._tell_phase(asked, S, shown, uses)
             elif self.by_cramer:
-                size = ["|", shown, "|"] if shown is not None else [Words("the size of its complex amplitude")]
+                size = ["|", *shown, "|"] if shown is not None else [Words("the size of its complex amplitude")]
                 tell_found(self.about.problem, self.sheet, asked, [(self._abs(S), size)], uses)
             else:
                 tell_amplitude(self.about, self.sheet, asked, self._abs(S), shown, uses)
 
-    def _tell_phase(self, asked, S, shown, uses):
+    def _tell_phase(self, asked: "Expression", S: ComplexNode, shown: list[Any] | None, uses: list[int]) -> None:
         """The line of the lag behind a sine of what has the complex amplitude S."""
         lag, quarter = self.table.call("atan2", -S.imaginary, S.real), self.table.pi / 2
-        what = [Words("the lag of  "), Words("its complex amplitude") if shown is None else shown]
+        what = [Words("the lag of  "), *([Words("its complex amplitude")] if shown is None else shown)]
         turned = [(lag - quarter, [*what, " − π/2"]), (lag + 3 * quarter, [*what, " + 3·π/2"])]
         tell_found(self.about.problem, self.sheet, asked, [(lag, what)] if self.steady.wave == "sin" else turned, uses)
 
-    def _abs(self, S) -> "Node":
+    def _abs(self, S: ComplexNode) -> "Node":
         if self.by_cramer and S.imaginary.is_zero:
             return self.table.call("abs", S.real)
         return _size(S.real, S.imaginary, self.about.value)
 
-    def _of_signal(self, signal: "SignalAboutRest") -> "tuple[ComplexNode, Node | None] | None":
-        """(S by the parts of X, it by X where that is short); None where it is driven otherwise."""
-        drive = self._driven(signal.drive)
+    def _of_signal(self, signal: "SignalAboutRest") -> "tuple[ComplexNode, list[Any] | None] | None":
+        """(S by the parts of X, parts of it by X where that is short); None where it is driven otherwise."""
+        drive = _driven(self.about, signal.drive, self.steady)
         if drive is None:
             return None
-        real, imaginary, shown = [drive[0]], [drive[1]], [drive[0]]
-        for j, (alpha, rate) in enumerate(zip(signal.slopes, signal.rates, strict=True)):
-            beta, (a, b) = self.steady.given * rate, self.parts_of(j)
-            real.append(alpha * a - beta * b)
-            imaginary.append(alpha * b + beta * a)
-            shown.append(alpha * self.about.letter(self.sheet.letter(f"X{j + 1}")))
-        plainly = drive[1].is_zero and all(rate.is_zero for rate in signal.rates)
+        factors, shown = signal.factors(self.steady.given), [drive[0]]
+        real, imaginary = [drive[0]], [drive[1]]
+        for j, factor in enumerate(factors):
+            part = factor.times(ComplexNode(*self.parts_of(j)))
+            real.append(part.real)
+            imaginary.append(part.imaginary)
+            shown.append(factor.real * self.about.letter(self.sheet.letter(f"X{j + 1}")))
         total = textbook(self.table.total(shown))
         whole = min(total, textbook(-total), key=lambda node: len(plain(node)))
-        return ComplexNode(self.table.total(real), self.table.total(imaginary)), (
-            whole if plainly and letters(whole) <= READABLE else None)
+        plainly = all(part.imaginary.is_zero for part in (drive, *factors))
+        told = [whole] if plainly and letters(whole) <= READABLE else self._by_factors(drive, factors)
+        return ComplexNode(self.table.total(real), self.table.total(imaginary)), told
 
-    def _driven(self, node) -> "tuple[Node, Node] | None":
-        """(real, imaginary part) of what a signal is driven with; None of another frequency."""
-        if node.is_zero:
-            return node, node
-        waves, = waves_of_all(self.about.scene, {0: node}).values()
-        if any(argument is not self.steady.argument for argument, _ in waves):
-            return None
-        A, B = (waves.get((self.steady.argument, wave), self.table.zero) for wave in ("sin", "cos"))
-        return (A, B) if self.steady.wave == "sin" else (B, -A)
-
+    def _by_factors(self, drive: Any, factors: "Sequence[Any]") -> "list[Any] | None":
+        """Parts of (α + iβ) X₁ + … where these are short."""
+        terms = [(factor, [Name(self.sheet.letter(f"X{j + 1}"))]) for j, factor in enumerate(factors)]
+        told: list[Any] = []
+        for (real, imaginary), letter in [(drive, []), *terms]:
+            if real.is_zero and imaginary.is_zero:
+                continue
+            told += [" + "] * bool(told)
+            told += [*_in_brackets(ComplexNode(real, imaginary)), "·", *letter] if letter else complex_parts(
+                real, imaginary)
+        size = sum(letters(node) for pair in (drive, *factors) for node in pair)
+        return told if size <= READABLE else None
 
 class SignalAboutRest(NamedTuple):
-    """α and β by coordinate, and s₀(t)."""
+    """α and β by coordinate, and s₀(t); of a force of the ground what accelerations add, too."""
 
     slopes: "list[Node]"
     rates: "list[Node]"
     drive: Any
+    of_accelerations: "list[Node]"
+
+    def factors(self, Omega: "Node") -> "list[ComplexNode]":
+        """α − Ω²γ + iΩβ by coordinate."""
+        return [ComplexNode(alpha - Omega ** 2 * gamma, Omega * beta) for alpha, beta, gamma in zip(
+            self.slopes, self.rates, self.of_accelerations, strict=True)]
 
 
 def asked_of_signals(about: AboutRest, answers: bool = False) -> "Iterator[tuple[Expression, SignalAboutRest]]":
@@ -165,36 +179,88 @@ def asked_of_signals(about: AboutRest, answers: bool = False) -> "Iterator[tuple
                 yield one.asked, _linear(about, tree.args[0])
 
 
-def _linear(about, tree):
-    """A signal about rest."""
-    zero, system = about.table.zero, about.problem.system
-    node, = copied([lower(tree, system.scene.table, lambda name, primes, part: moving(system, name, primes))],
-                   about.table)
-    small, slopes = about.small(node), gradient(node)
-    return SignalAboutRest([small.slopes.get(j, zero) for j in range(len(about.scene.q))],
-                        [about.rest(slopes[v]) if v in slopes else zero for v in about.scene.v], small.drive)
+def _linear(about: AboutRest, tree: "SyntaxTree") -> SignalAboutRest:
+    """A signal about rest; what coordinates do not tell, as a force of the ground, by the rows of the engine."""
+    zero, system, n = about.table.zero, about.problem.system, len(about.scene.q)
+    with suppress(PhysicsError, SpecError):
+        node, = copied([lower(tree, system.scene.table, lambda name, primes, part: moving(system, name, primes))],
+                       about.table)
+        small, slopes = about.small(node), gradient(node)
+        return SignalAboutRest([small.slopes.get(j, zero) for j in range(n)], [
+            about.rest(slopes[v]) if v in slopes else zero for v in about.scene.v], small.drive, [
+            about.rest(slopes[a]) if a in slopes else zero for a in about.scene.a])
+    rows, direct = outputs(about.problem.symbolic, _named(tree))
+    q, v, a = [[copied([part[j]], about.table)[0] if j in part else zero for j in range(n)] for part in rows]
+    return SignalAboutRest(q, v, copied([direct], about.table)[0], a)
 
 
-def tell_amplitude(about: AboutRest, sheet: WorkedSolution, asked: "Expression", node: "Node", shown: "Node | None",
-                   uses: "Sequence[int]") -> None:
+def _named(signal: SignalAboutRest) -> Any:
+    return signal.name + "'" * signal.primes if isinstance(signal, NameRef) else signal
+
+
+def tell_amplitude(about: AboutRest, sheet: WorkedSolution, asked: "Expression", node: "Node",
+                   shown: "list[Any] | None", uses: "Sequence[int]") -> None:
     """Write down the amplitude of a signal; nothing where that is not the engine's."""
     value = float(value_of(about.problem, asked)[0])
     if abs((about.value(node) or 0.0) - value) > CLOSE * abs(value):
         return
     unit = unit_told(about.problem.spec, asked)
-    sheet.write(Words(as_printed(asked.text)), *([Words(":  "), "|", shown, "|"] if shown is not None else []),
+    sheet.write(Words(as_printed(asked.text)), *([Words(":  "), "|", *shown, "|"] if shown is not None else []),
                 *number(value, unit), settles=asked.text, node=node, value=value, unit=unit, uses=uses)
 
 
-def tell_of_one(about: AboutRest, sheet: WorkedSolution, X: "Node", Omega: "Node", uses: "Sequence[int]") -> None:
-    """Write down the amplitudes of other signals of one degree of freedom that a sheet asks, √(α² + Ω²β²) X; nothing of
-    those that are driven beside it."""
-    for asked, signal in asked_of_signals(about):
-        (alpha,), (beta,) = signal.slopes, signal.rates
+def _driven(about: AboutRest, node: "Node", steady: "SteadyState") -> "ComplexNode | None":
+    """What a signal is driven with by the argument and wave of a steady state; None of another frequency."""
+    if node.is_zero:
+        return ComplexNode(node, node)
+    n = len(about.scene.q)
+    waves = waves_of_all(about.scene, {**drive_of(about.problem), n: node})[n]
+    if any(argument is not steady.argument for argument, _ in waves):
+        return None
+    A, B = (waves.get((steady.argument, wave), about.table.zero) for wave in ("sin", "cos"))
+    return ComplexNode(A, B) if steady.wave == "sin" else ComplexNode(B, -A)
+
+
+def tell_of_one(about: AboutRest, sheet: WorkedSolution, of: "tuple[Node, Node | None]", steady: Any,
+                uses: "Sequence[int]") -> None:
+    """Write down the amplitudes of other signals of one degree of freedom, √(α² + Ω²β²) X, and in numbers long ones of
+    those that are driven beside it, |(α + iΩβ) X exp(−iθ) + S₀|; `of`: X, and θ where there is a lag."""
+    settled, (Omega,) = {line.settles for line in sheet.steps}, copied([steady.formula.Omega], about.table)
+    for asked, signal in asked_of_signals(about, answers=True):
+        if asked.tree.head != "amplitude" or asked.text in settled:
+            continue
+        (factor,), X = signal.factors(Omega), of[0]
         if signal.drive.is_zero:
-            parts = [part for part in (alpha, Omega * beta) if not part.is_zero]
-            factor = about.table.sqrt(about.table.total([part ** 2 for part in parts]))
-            tell_amplitude(about, sheet, asked, root(about.tidy(factor ** 2), about.samples) * X, None, uses)
+            node = root(about.tidy(factor.real ** 2 + factor.imaginary ** 2), about.samples) * X
+            tell_found(about.problem, sheet, asked, [(node, [node])], uses)
+        elif of[1] is not None and _is_long(about, asked) and (drive := _driven(about, signal.drive, steady)):
+            tell_found(about.problem, sheet, asked, [_beside(about, factor, of, drive)], uses)
+
+
+def _is_long(about: AboutRest, asked: "Expression") -> bool:
+    """Is an amplitude by itself too long to be read?"""
+    steady = about.problem.symbolic_steady_state(_named(asked.tree.args[0]))
+    return letters(steady.formula.amplitude) > READABLE
+
+
+def _beside(about: AboutRest, factor: ComplexNode, of: "tuple[Node, Node | None]",
+            drive: ComplexNode) -> "tuple[Node, list[Factor | Node | str]]":
+    """(the size of (α + iβ) X exp(−iθ) + S₀, parts that tell it)."""
+    (X, theta), call = of, about.table.call
+    if factor.real.coefficient < 0 == (factor.real.op == "sum"):
+        factor, drive = (ComplexNode(-one.real, -one.imaginary) for one in (factor, drive))
+    S = factor.times(ComplexNode(X * call("cos", theta), -(X * call("sin", theta))))
+    minus = drive.imaginary.is_zero and drive.real.op != "sum" and drive.real.coefficient < 0
+    beside = [" − ", Factor(-drive.real)] if minus else [" + ", *complex_parts(*drive)]
+    shown = [*_in_brackets(factor), "·", X, "·exp(−i·", theta, ")", *beside]
+    return about.table.sqrt((S.real + drive.real) ** 2 + (S.imaginary + drive.imaginary) ** 2), ["|", *shown, "|"]
+
+
+def _in_brackets(factor: ComplexNode) -> list[Any]:
+    """Parts of a + ib before a dot."""
+    both = not (factor.real.is_zero or factor.imaginary.is_zero)
+    parts = complex_parts(*factor)
+    return ["(", *parts, ")"] if both else [Factor(parts[0])] if len(parts) == 1 else parts
 
 
 def stiffness_of(steady: "SteadyState") -> list[list[ComplexNode]]:
@@ -211,7 +277,7 @@ def by_cramer(steady: "SteadyState") -> list[ComplexNode]:
     return [determinant_of(column).over(below) for column in columns]
 
 
-def _size(a, b, value_of_node) -> "Node":
+def _size(a: "Node", b: "Node", value_of_node: "Callable[[Node], float | None]") -> "Node":
     """√(a² + b²)."""
     if b.is_zero:
         return -a if value_of_node(a) < 0 else a

@@ -29,8 +29,10 @@ from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from vibcli.scene.scene import Scene
-    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.node import Monomial, Node
 
 KINDS = {"impulse": "a unit impulse", "step": "a unit step", "ramp": "a ramp of unit slope", "sin": "sin Ωτ, begun",
          "cos": "cos Ωτ, begun"}
@@ -52,7 +54,7 @@ def pieces_of(scene: "Scene", load: "Node") -> list[LoadPiece] | None:
         terms = expanded(load)
     except (TooLong, ZeroDivisionError):
         return None
-    found: dict = {}
+    found: dict[Any, Any] = {}
     for monomial, value in terms.items():
         for piece in _pieces(scene, monomial, value) or [None]:
             if piece is None:
@@ -64,7 +66,7 @@ def pieces_of(scene: "Scene", load: "Node") -> list[LoadPiece] | None:
     return [piece for piece in settled if not piece.factor.is_zero] if alike else None
 
 
-def _pieces(scene, monomial, value):
+def _pieces(scene: "Scene", monomial: "Monomial", value: "Fraction | int") -> list[LoadPiece] | None:
     """Those of factor·tⁿ·kind(t − t₁), n being 1 of a step at most; None where it is none."""
     table, time = scene.table, scene.time
     moving = [(atom, e) for atom, e in monomial if atom.mask & time.mask]
@@ -103,14 +105,14 @@ def tell_impulses(degree: Degree) -> None:
                        settles="convolution", uses=degree.found.lines)
 
 
-def _from_rest(degree):
+def _from_rest(degree: Degree) -> bool:
     """Does the motion start at rest, as the file says or leaves out?"""
     from vibcli.mechanics.initial_state import start_in_letters
 
     return all(node.is_zero for node in start_in_letters(degree.problem.symbolic) or ())
 
 
-def _begun(wave, factor, begins, time):
+def _begun(wave: "Node", factor: "Node", begins: "Node", time: "Node") -> list[LoadPiece] | None:
     """factor·sin(Ωt + φ) or the cosine from an instant on, as waves that begin with τ = 0; None of other functions."""
     table, Omega = wave.table, gradient(wave.args[0]).get(time)
     if wave.name not in WAVES or Omega is None or Omega.mask:
@@ -157,14 +159,14 @@ def tell_pieces(degree: Degree, pieces: Sequence[LoadPiece]) -> None:
         tell_arcs(degree, motion)
 
 
-def _by_name(degree, instant):
+def _by_name(degree: Degree, instant: "Node") -> "Node":
     """An instant by the letter that the file has for it."""
     parameters = degree.problem.scene.parameters
     return next((parameters.nodes[name] for name, node in parameters.in_letters.items() if is_zero(node - instant)),
                 instant)
 
 
-def _resistances(degree, pieces):
+def _resistances(degree: Degree, pieces: Sequence[LoadPiece]) -> "tuple[Node | None, list[int]]":
     """(Ω of waves, the numbers of the lines of Ω, R and S), (None, []) of other pieces and at resonance that nothing
     damps."""
     rate = next((piece.rate for piece in pieces if piece.rate is not None), None)
@@ -188,11 +190,11 @@ def _resistances(degree, pieces):
     return Omega, lines
 
 
-def _resonates(degree, resists):
+def _resonates(degree: Degree, resists: "Node") -> bool:
     return degree.C.is_zero and (is_zero(resists) or degree.about.cancel([degree.K, resists - degree.K], ROUNDED))
 
 
-def _unit(degree, kind, Omega=None):
+def _unit(degree: Degree, kind: str, Omega: "Node | None" = None) -> "Node":
     """The response to a unit of a kind as a function of τ; Ω is None of a wave at the natural frequency."""
     damped = not degree.C.is_zero
     tau, R, S = (degree.about.letter(degree.sheet.letter(name)) for name in ("tau", "R", "S"))

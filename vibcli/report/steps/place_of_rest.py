@@ -1,5 +1,6 @@
 """Where a scene rests: as drawn, in letters, or where a search found it, told with letters of its own."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -16,6 +17,7 @@ from vibcli.symbolic.syntax import NameRef
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 UNMOVED = 1e-12         # relative: how far from the drawn place rounding alone brings a coordinate at rest
 OF_PLACES = VALUE, "max", "min", "mean"         # what one asks of a place, which has its unit and zero
@@ -57,7 +59,7 @@ def as_counted(problem: "Problem", tree: Any) -> list[Words]:
     return [Words(" (counted as drawn)")] * moved
 
 
-def _is_moved(problem, name):
+def _is_moved(problem: "Problem", name: str) -> bool:
     """Does a coordinate rest elsewhere than drawn?"""
     if problem.numeric.has_free_symbols:
         rest = problem.symbolic.equilibrium_position.get(name)
@@ -68,7 +70,7 @@ def _is_moved(problem, name):
     return name in problem.scene.dependent
 
 
-def _about_numbers(problem, sheet):
+def _about_numbers(problem: "Problem", sheet: WorkedSolution) -> AboutRest:
     """The problem about a place of rest that a search found."""
     scene, values = problem.scene, problem.configuration.equilibrium.values
     looped = scene.loops.names if scene.loops is not None else ()
@@ -95,7 +97,7 @@ def _about_numbers(problem, sheet):
                      sheet)
 
 
-def _conditions(problem, place):
+def _conditions(problem: "Problem", place: "Mapping[Node, Node]") -> "dict[str, Node]":
     """{coordinate: an expression that vanishes where it rests}: the force along it, or of loops a condition."""
     scene = problem.scene
     still = {**place, **dict.fromkeys((*scene.v, *scene.a), scene.table.zero)}

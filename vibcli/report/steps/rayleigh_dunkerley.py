@@ -4,8 +4,8 @@ from below by each inertia alone (Rao 2011, sections 7.2 and 7.3),
     K u = s M d,   ω² ≤ uᵀKu/uᵀMu,   1/ω² ≥ Σ 1/ω_j²,   1/ω_j² = tr(K⁻¹M_j) = Σ a_ik M_j,ik.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.characteristic import determinant
@@ -27,7 +27,8 @@ SHORT = 20          # letters of the frequency of an inertia alone that is writt
 class LowestFrequency:
     """Rayleigh's and Dunkerley's bounds, on a sheet; uses: the lines that tell M and K."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, equations: SmallEquations, uses: "Sequence[int]"):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, equations: SmallEquations,
+                 uses: "Sequence[int]") -> None:
         self.about, self.sheet, self.M, self.K, self.uses = about, sheet, equations.M, equations.K, uses
         self.table, self.n = about.table, len(about.scene.q)
         self.found = about.problem.modal.result("estimates")
@@ -52,7 +53,7 @@ class LowestFrequency:
             " rad/s   (an upper bound)"), settles="rayleigh", node=node, value=float(self.found.rayleigh), unit="rad/s",
             uses=[line])
 
-    def _quotient(self, shape, sizes, line):
+    def _quotient(self, shape: list[float], sizes: Iterator[Any], line: int) -> "Node | None":
         """√(uᵀKu/uᵀMu) by letters of what the line tells; None where a part of the deflection is zero."""
         if not all(shape):
             return None
@@ -64,7 +65,7 @@ class LowestFrequency:
             self.sheet.write(settles=letter.name, letter=letter.name, node=node, value=value, unit=unit, joined=True)
         return self.table.sqrt(found[0] / found[1])
 
-    def _deflection(self, shape, u, line):
+    def _deflection(self, shape: list[float], u: "Sequence[Node]", line: int) -> None:
         """The parts of the deflection, found together with s from K u = s M d."""
         d, zero = self._pulled(), self.table.zero
         s, rows = self._letter("s"), range(self.n)
@@ -78,17 +79,17 @@ class LowestFrequency:
             letter, value = (s, scale) if i == largest else (u[i], shape[i])
             self.sheet.write(settles=letter.name, letter=letter.name, value=value, vanishes=left[i], joined=True)
 
-    def _pulled(self):
+    def _pulled(self) -> list[int]:
         """The coordinates that are pulled by their inertia: those that measure what the first one with inertia does."""
         kinds = [self.about.problem.system.dimension(name) for name in self.about.scene.coordinates]
         first = next(i for i in range(self.n) if (i, i) in self.M)
         return [i for i in range(self.n) if kinds[i] == kinds[first]]
 
-    def _scale(self, shape, d):
+    def _scale(self, shape: Sequence[float], d: Sequence[int]) -> float:
         """s, by uᵀKu = s uᵀMd."""
         M, _, _, K = self.about.problem.configuration.linear_system.matrices()
         below = sum(value * shape[i] for (i, j), value in M.items() if j in d)
-        return sum(value * shape[i] * shape[j] for (i, j), value in K.items()) / below
+        return cast("float", sum(value * shape[i] * shape[j] for (i, j), value in K.items()) / below)
 
     def dunkerley(self) -> None:
         """Write down the frequencies with each inertia alone, and their sum; nothing where it is not the engine's."""
@@ -109,7 +110,7 @@ class LowestFrequency:
                          value=float(self.found.dunkerley),
                          node=1 / self.table.sqrt(self.table.total([letter ** -2 for letter in symbols])))
 
-    def _letter(self, wanted: str, of: str = ""):
+    def _letter(self, wanted: str, of: str = "") -> "Node":
         return self.table.parameter(self.sheet.letter(wanted, of), positive=False)
 
     def _of_each(self, alone: "Mapping[str, float]") -> "dict[str, Node]":
@@ -127,16 +128,16 @@ class LowestFrequency:
                 found[name] = node
         return found
 
-    def _rows(self):
+    def _rows(self) -> "list[list[Node]]":
         return [[self.K.get((i, j), self.table.zero) for j in range(self.n)] for i in range(self.n)]
 
-    def _minor(self, K, i, j):
+    def _minor(self, K: "Sequence[list[Node]]", i: int, j: int) -> "Node":
         rows = [[entry for k, entry in enumerate(row) if k != j] for m, row in enumerate(K) if m != i]
         return determinant(rows) if rows else self.table.one
 
     def _inertias(self) -> "dict[str, Any]":
         """{body: its part of M} about rest."""
-        terms: dict[str, list] = {}
+        terms: dict[str, list[Any]] = {}
         for term in self.about.scene.vibrating.inertias:
             terms.setdefault(term.owner, []).append((term.weight, self.about.small(term.s)))
         return {name: self.about.sum_of_squares(parts) for name, parts in terms.items()}

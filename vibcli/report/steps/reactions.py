@@ -50,11 +50,11 @@ def tell_statics(problem: "Problem", sheet: WorkedSolution) -> None:
     _tell_values(problem, sheet, found, told, lines)
 
 
-def _tell_letters(problem, sheet, found, balances):
+def _tell_letters(problem: "Problem", sheet: WorkedSolution, found: Any, balances: "dict[str, Node]") -> None:
     """What letters of forces in {coordinate: balance} stand for, and the forces of springs that are put into these,
     beside the first of them."""
     here = {name for node in balances.values() for name in _names(node)}
-    told = [part for symbol, signal in found.forces.items() if symbol.name in here
+    told: list[Any] = [part for symbol, signal in found.forces.items() if symbol.name in here
             for part in (Words(",  "), symbol, Words(f" for {signal}"))]
     told += [part for k, (signal, node) in enumerate(_put_in(problem, balances)) for part in (
         Words(f",  {'' if k else 'at rest  '}{signal} = "), node)]
@@ -62,7 +62,7 @@ def _tell_letters(problem, sheet, found, balances):
         sheet.write(Words("cut free, with  "), Words(told[0].text.removeprefix(",  ")), *told[1:], opens=True)
 
 
-def _put_in(problem, balances):
+def _put_in(problem: "Problem", balances: "Mapping[str, Node]") -> list[Any]:
     """[(signal of a spring, its force)] of those that have it from rest as drawn and act along these coordinates."""
     known = {name: node for name, node in problem.system.preloads.items() if not node.is_zero}
     if not known:
@@ -76,7 +76,7 @@ def _put_in(problem, balances):
             for name, node in known.items() if name in acting]
 
 
-def _readable(problem, found, node, turns):
+def _readable(problem: "Problem", found: "SymbolicForces", node: "Node", turns: bool) -> "list[Node | str | Words]":
     """Parts of a balance, in numbers where it is long and has them; `turns`: of moments."""
     if problem.numeric.has_free_symbols or letters(node) <= READABLE:
         return [brief(node)]
@@ -123,7 +123,7 @@ def tell_forces(problem: "Problem", sheet: WorkedSolution) -> None:
             _tell_normals(problem, sheet, found)
 
 
-def _forces(problem):
+def _forces(problem: "Problem") -> "tuple[SymbolicForces, dict[Any, Any]]":
     """(the forces at rest, or from rest where nothing holds the scene, {acceleration: its value})."""
     from vibcli.report.sections.accelerations import falls
 
@@ -132,7 +132,8 @@ def _forces(problem):
     return problem.symbolic.forces_from_rest, problem.symbolic.accelerations.values
 
 
-def _tell_balance(problem, sheet, found, wanted, moves):
+def _tell_balance(problem: "Problem", sheet: WorkedSolution, found: "SymbolicForces", wanted: list[str],
+                  moves: dict[Any, Any]) -> None:
     """The balances with letters for forces and accelerations, then their values."""
     from vibcli.mechanics.inputs_outputs.symbolic_reactions import symbolic_forces
 
@@ -152,7 +153,7 @@ def _tell_balance(problem, sheet, found, wanted, moves):
     _tell_values(problem, sheet, found, wanted, lines, balances)
 
 
-def _tell_normals(problem, sheet, found):
+def _tell_normals(problem: "Problem", sheet: WorkedSolution, found: "SymbolicForces") -> None:
     """The force of its path on each body that slides or rolls on one which is neither level nor upright."""
     lines = {line.settles: line.number for line in sheet.steps}
     for signal, node in normals_in_letters(problem, found.values, problem.symbolic.place_of_rest):
@@ -162,11 +163,12 @@ def _tell_normals(problem, sheet, found):
             value, "N")), settles=signal, node=node, value=value, unit="N", uses=sides)
 
 
-def _names(node):
+def _names(node: "Node") -> set[str]:
     return {part.name for part in reachable([node]) if part.op == "symbol"}
 
 
-def _tell_values(problem, sheet, found, wanted, lines, balances=None):
+def _tell_values(problem: "Problem", sheet: WorkedSolution, found: "SymbolicForces", wanted: list[str],
+                 lines: list[int], balances: Mapping[Any, Any] | None = None) -> None:
     """The value of each force, that of a support by its balance first."""
     symbols = {signal: symbol for symbol, signal in found.forces.items()}
     values = _values(problem, found, wanted)
@@ -182,7 +184,7 @@ def _tell_values(problem, sheet, found, wanted, lines, balances=None):
         sheet.write(head, *parts, settles=signal, node=node, value=value, unit=unit, uses=lines)
 
 
-def _values(problem, found, wanted):
+def _values(problem: "Problem", found: "SymbolicForces", wanted: "dict[str, Node] | list[str]") -> dict[str, float]:
     """{signal: number}, None in letters and where statics leaves it open."""
     known = [signal for signal in wanted if found.values.get(signal) is not None]
     values = [None] * len(known) if problem.numeric.has_free_symbols else evaluate(
@@ -190,7 +192,7 @@ def _values(problem, found, wanted):
     return {**dict.fromkeys(wanted), **dict(zip(known, values, strict=True))}
 
 
-def _zero(values):
+def _zero(values: Mapping[str, float]) -> set[str]:
     """Signals whose numbers are zero but for rounding."""
     size = max((abs(value) for value in values.values() if value is not None), default=0.0)
     return {signal for signal, value in values.items() if value is not None and abs(value) <= ALIKE * size}
@@ -218,7 +220,7 @@ def _vanishes(node: "Node", values: Mapping[str, float], unknown: Iterable[str])
         raise PhysicsError(UNTOLD, HINT)
 
 
-def _along(problem, sheet, text):
+def _along(problem: "Problem", sheet: WorkedSolution, text: str) -> None:
     """What supports exert along the motion, by the balance in it; at rest, if nothing else is asked."""
     from vibcli.mechanics.inputs_outputs.reactions_along_motion import along_the_motion
 
@@ -232,7 +234,7 @@ def _along(problem, sheet, text):
     tell_multipliers(problem, sheet, text)
 
 
-def _at_rest(problem, sheet, signal, node):
+def _at_rest(problem: "Problem", sheet: WorkedSolution, signal: str, node: "Node") -> None:
     """The force while nothing moves, without loads that change with the time."""
     moving = {name + primes for name in problem.scene.coordinates for primes in ("", "'", "''")}
     still = {part: node.table.zero for part in reachable([node]) if getattr(part, "name", None) in moving}

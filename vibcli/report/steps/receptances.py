@@ -4,7 +4,7 @@
 
 in letters for the entries of Z (Rao 2011, section 5.6)."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.mechanics.symbolic_linear import coefficients
 from vibcli.quantities.in_letters import frequency_of
@@ -51,14 +51,14 @@ def response_at(tree: Any) -> "QuantityRef | None":
     """The response whose size, part or lag at a frequency is asked; None of another tree."""
     head = getattr(tree, "head", getattr(tree, "name", ""))
     if head == "transmissibility":
-        return tree
+        return cast("QuantityRef | None", tree)
     first = next(iter(getattr(tree, "args", ())), None)
     at = isinstance(first, QuantityRef) and first.head == "frf" and first.args
-    return first if at and head in ("abs", *PARTS) else None
+    return cast("QuantityRef | None", first if at and head in ("abs", *PARTS) else None)
 
 
 class _Receptance:
-    def __init__(self, problem: "Problem", sheet: WorkedSolution, response: QuantityRef):
+    def __init__(self, problem: "Problem", sheet: WorkedSolution, response: QuantityRef) -> None:
         self.problem, self.sheet, self.table = problem, sheet, problem.scene.table
         given, self.numeric = frequency_of(problem, response.args[0]), not problem.numeric.has_free_symbols
         if given not in sheet.responses:
@@ -68,17 +68,17 @@ class _Receptance:
         parts = coefficients(problem.symbolic, *response.indices)
         self.b, self.c, (self.direct, *_) = ([self._power(part, i) for i in range(DEGREES)] for part in parts)
 
-    def _power(self, part, i) -> ComplexNode:
+    def _power(self, part: Any, i: int) -> ComplexNode:
         """Σ sᵏ of [{i: node}] at s = iΩ."""
         zeroth, first, second = (copied([one[i]], self.table)[0] if i in one else self.table.zero for one in part)
         return ComplexNode(textbook(zeroth - self.Omega ** 2 * second), textbook(self.Omega * first))
 
-    def _entry(self, i, j) -> ComplexNode:
+    def _entry(self, i: int, j: int) -> ComplexNode:
         M, C, G, K = (part.get((i, j), self.table.zero) for part in self.problem.symbolic.matrices)
         parts = K - self.Omega ** 2 * M, self.Omega * (C + G)
         return ComplexNode(*(self.table.zero if is_zero(part) else part for part in parts))
 
-    def _at(self, given) -> "tuple[Node, list[Any]]":
+    def _at(self, given: Any) -> tuple[Any, list[Any]]:
         """(Ω, parts that open the line): one without letters has a letter of its own, which tells its unit."""
         units = [is_measure(part) for part in reachable([given]) if part.op == "symbol"]
         if not all(units):
@@ -91,7 +91,7 @@ class _Receptance:
                          unit="rad/s", opens=True)
         return self.table.parameter(letter), [Words("by  ")]
 
-    def _stiffness(self, given) -> LetteredStiffness:
+    def _stiffness(self, given: Any) -> LetteredStiffness:
         """Write down the entries of Z and its determinant, and give them letters."""
         self.Omega, head = self._at(given)
         sheet, zero = self.sheet, self.table.zero
@@ -115,7 +115,7 @@ class _Receptance:
         sheet.write(Words("their determinant  "), D, " = ", determinant(letters), settles=D.name, uses=[sheet.last])
         return LetteredStiffness(letters, parts, D, self.Omega)
 
-    def _fresh(self, name):
+    def _fresh(self, name: str) -> str:
         """A letter that no line has."""
         taken = {part for line in self.sheet.steps for part in (line.letter, line.settles)}
         taken |= {part.name for line in self.sheet.steps for part in line.parts if isinstance(part, Node)
@@ -126,19 +126,19 @@ class _Receptance:
             found = self.sheet.letter(name)
         return found
 
-    def _number(self, entry, i, j):
+    def _number(self, entry: ComplexNode, i: int, j: int) -> list[str | Words]:
         if not self.numeric or all(is_number(part) for part in entry):
             return []
         value = complex(*evaluate(list(entry), Floats, self._floats))
         return [f" = {complex_told(value)}", Words(f" {unit_of_entry(self.problem, i, j)}")]
 
     @property
-    def _floats(self):
+    def _floats(self) -> dict[str, float]:
         """The values of all letters."""
         return {**self.problem.numeric.floats, **{line.letter: line.value for line in self.sheet.steps
                                                   if line.letter and line.value is not None}}
 
-    def _known(self, name, entry, unit) -> ComplexNode:
+    def _known(self, name: str, entry: ComplexNode, unit: str) -> ComplexNode:
         """The real and the imaginary part by letters of their own."""
         found = []
         for node, part in zip(entry, ("re", "im"), strict=True):

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import QuantityRef
 
 INSTANTS = {"max": "argmax", "min": "argmin", "argmax": "argmax", "argmin": "argmin"}
 TURN = "turning back at"
@@ -41,7 +42,8 @@ def tell_searched(problem: "Problem", sheet: WorkedSolution, asked: "Expression"
     return tell_found(problem, sheet, asked, [(node, shown)], [sheet.last])
 
 
-def _turn(problem, sheet, tree, value, uses) -> "tuple[Node, float]":
+def _turn(problem: "Problem", sheet: WorkedSolution, tree: "QuantityRef", value: "Callable[[Node, float], Node]",
+          uses: Sequence[int]) -> "tuple[Node, float]":
     """The letter of the instant, written down once, and it in numbers; NotInLetters where the signal does not turn
     back there."""
     known, table = next(instances(problem, sheet))[1], problem.scene.table
@@ -64,7 +66,7 @@ def _turn(problem, sheet, tree, value, uses) -> "tuple[Node, float]":
     return letter, at
 
 
-def _rate_told(problem, tree):
+def _rate_told(problem: "Problem", tree: "QuantityRef") -> list[Name | Words]:
     signal = tree.args[0]
     if not isinstance(signal, NameRef):
         written = tree.text[signal.start - tree.start:signal.end - tree.start]

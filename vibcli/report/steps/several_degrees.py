@@ -1,7 +1,8 @@
 """The steps from the equations of several degrees of freedom to their frequencies and modes: M, C, G, K, the
 determinant of K − ω²M written out of two, ratios of amplitudes, damped eigenvalues, amplitudes under one harmonic."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.assumed_shapes import tell_estimates
@@ -16,13 +17,14 @@ from vibcli.report.steps.told_matrices import tell_matrices
 from vibcli.report.steps.two_degrees import NOTHING, TwoDegrees
 
 if TYPE_CHECKING:
+    from vibcli.analyses.modal.undamped import Mode
     from vibcli.symbolic.node import Node
 
 
 class SeveralDegrees:
     """The steps of M q̈ + (C + G) q̇ + K q = Q."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -> None:
         self.about, self.sheet, self.found, self.problem = about, sheet, found, about.problem
         self._free = not (found.K or found.G)
         two = len(about.scene.q) == 2 and not (self._free or (found.G and found.C)
@@ -57,7 +59,7 @@ class SeveralDegrees:
         tell_from_start(self.about, self.sheet, self.found, lines)
         tell_loads(self.about, self.sheet, self.found)
 
-    def _modes(self, uses):
+    def _modes(self, uses: list[int]) -> None:
         """Each frequency, and the ratio of its amplitudes."""
         modal = self.problem.modal
         found = [(mode, [complex(x) for x in modal.shape(mode)]) for mode in modal.modes]
@@ -73,26 +75,26 @@ class SeveralDegrees:
             self.two.normal_coordinates(shapes, of)
 
     @property
-    def _mixed(self):
+    def _mixed(self) -> str:
         """Words on the units of amplitudes that are not of one kind."""
         kinds = {bool(self.problem.system.dimension(name)) for name in self.about.scene.coordinates}
         return "  (in m and rad)" if len(kinds) > 1 else ""
 
-    def _has_ratio(self, found):
+    def _has_ratio(self, found: "Sequence[tuple[Mode, list[complex]]]") -> bool:
         """Do two coordinates have a ratio of amplitudes that a row gives in both modes?"""
         if self.two is None or self.found.G or len(found) != 2 or any(
                 mode.omega is None or shape[0] != 1 or shape[1].imag for mode, shape in found):
             return False
         return self.two.fits([[x.real for x in shape] for _, shape in found], [float(mode.omega) for mode, _ in found])
 
-    def _amplitude_ratio(self, k, shape, uses):
+    def _amplitude_ratio(self, k: int, shape: Sequence[float], uses: list[int]) -> int:
         names = self.about.scene.coordinates
         (x, of_x), (y, of_y) = ((Name(name), "m" if self.problem.system.dimension(name) else "rad") for name in names)
         unit = f"{of_y}/{of_x}" if of_x != of_y else ""
         return self.sheet.write(Words(f"in mode {k}  "), y, "/", x, *number(shape[1], unit), value=shape[1], unit=unit,
                                 uses=uses, node=self.two.shape_at(k), settles=f"mode[{k}][{names[1]}]")
 
-    def _frequency(self, mode, shape, uses):
+    def _frequency(self, mode: "Mode", shape: list[complex], uses: list[int]) -> int:
         """The line of a mode: with two degrees by the formula of the roots, else with the ratios."""
         names = self.about.scene.coordinates
         size = max(map(abs, shape))
@@ -120,7 +122,7 @@ class SeveralDegrees:
                              vanishes=left, joined=True)
         return line
 
-    def _ratios(self, k, shape, omega):
+    def _ratios(self, k: int, shape: Sequence[complex], omega: "Node") -> tuple[Any, list[Any]]:
         """(the row of the largest of (K − ω²M)u, [(i, letter of uᵢ, another row)]), which vanish together; nothing of
         two coordinates, where a part is zero, and where something is gyroscopic."""
         n, zero, largest = len(shape), self.about.table.zero, max(range(len(shape)), key=lambda i: abs(shape[i]))
@@ -135,7 +137,7 @@ class SeveralDegrees:
         return rows[largest], [(i, u[i], rows[row]) for i, row in others]
 
 
-def _complex(x):
+def _complex(x: complex) -> str:
     """An amplitude; i a quarter period ahead of the others."""
     if not x.imag:
         return told(x.real)

@@ -1,6 +1,6 @@
 """A length by the sides of its right-angled triangle, ℓ = √((h + L sin φ)² + L² (1 − cos φ)²)."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.report.steps.small import AboutRest
 from vibcli.symbolic.derivatives import substitute
@@ -26,11 +26,11 @@ def by_sides(about: AboutRest, s: "Node", plainly: "Node") -> "Node":
     return found if letters(found) < letters(plainly) else plainly
 
 
-def _has_sides(base):
+def _has_sides(base: "Node") -> Any:
     return base.op == "sum" and base.mask and not base.coefficient and len(base.args) == 2 and all(
         c == 1 and term.op == "product" and term.coefficient == 1 and [e for _, e in term.args] == [2]
         for term, c in base.args)
 
 
-def _squares(base):
+def _squares(base: "Node") -> "Node":
     return base.table.total([textbook(term.args[0][0]) ** 2 for term, _ in base.args])

@@ -7,18 +7,15 @@ against what it came from:
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
-from vibcli.base import units
 from vibcli.mechanics.linearise import row_of, slopes_of
-from vibcli.notation.units_in_sums import dimension_of
-from vibcli.report.blocks import Name, Words
 from vibcli.report.steps.agreement import LEFT, agree_in_motion, same, samples_of, tidy
-from vibcli.report.steps.step import WorkedSolution, number
+from vibcli.report.steps.lettered import LetteredCoefficients, is_long
+from vibcli.report.steps.step import WorkedSolution
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.normal_form import root_of_square, textbook
 from vibcli.symbolic.radicals import without_bars
 from vibcli.symbolic.rationals import HALF, ONE
@@ -27,7 +24,6 @@ if TYPE_CHECKING:
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
-READABLE, SHOWN, TOO_LONG = 8, 40, 50        # letters of a coefficient: at a searched place, written out, elsewhere
 ROUNDING = 1e-13        # relative: of a sum that is zero where a search found the place
 
 
@@ -35,7 +31,7 @@ class Small:
     """A function s about rest, each part found where it is first asked for: so no coefficient has a letter that no
     line needs."""
 
-    def __init__(self, about: "AboutRest", s: "Node"):
+    def __init__(self, about: "AboutRest", s: "Node") -> None:
         self._about, self.s, self.still = about, s, about.undriven.get(s, s)
 
     @cached_property
@@ -64,11 +60,11 @@ class Small:
         return self._about.driven(self.s, self.still)
 
     @cached_property
-    def _row(self):
+    def _row(self) -> "dict[int, Node]":
         return row_of(self.still, self._about.index)
 
     @cached_property
-    def _bends(self):
+    def _bends(self) -> "dict[tuple[int, int], Node]":
         return slopes_of(self._row, self._about.index)
 
 
@@ -80,7 +76,7 @@ class AboutRest:
     order_of_speeds = " to the first order"
 
     def __init__(self, problem: "Problem", place: "Mapping[Node, Node]", values: Mapping[str, float],
-                 sheet: WorkedSolution | None = None):
+                 sheet: WorkedSolution | None = None) -> None:
         self.problem, self.scene, self.table = problem, problem.scene.written, problem.scene.table
         scene, zero = self.scene, self.table.zero
         drives = scene.held_drives
@@ -88,8 +84,8 @@ class AboutRest:
         self.place = {**place, **dict.fromkeys((*scene.v, *scene.a), zero), **dict(zip(drives, begun, strict=True))}
         self.undriven = {one.s: other.s for kind, terms in scene.shaken.items()
                          for one, other in zip(getattr(scene, kind), terms, strict=True)}
-        self._known, self._sheet, self._named, self._dimensions = dict(values), sheet, {}, {}
-        self._searched = bool(values)
+        self._known, self._searched, self._keeps = dict(values), bool(values), False
+        self._lettered = LetteredCoefficients(self, sheet, self._searched) if sheet is not None else None
         self.index = {q: i for i, q in enumerate(self.scene.q)}
         self.samples = samples_of(problem, self._known)
 
@@ -104,7 +100,7 @@ class AboutRest:
         return textbook(substitute([node], moved)[0] if moved else node)
 
     @cached_property
-    def _in_loops(self):
+    def _in_loops(self) -> "list[Node]":
         """What follows from the coordinates in closed loops."""
         loops, dependent = self.scene.loops, self.scene.dependent
         return [dependent[name] for name in (loops.names if loops is not None else ())]
@@ -116,7 +112,7 @@ class AboutRest:
         place = {symbol: node for symbol, node in self.place.items() if symbol is not self.scene.time}
         return textbook(self._unrooted(substitute([s], place)[0]) - self.rest(still))
 
-    def _begun(self, node):
+    def _begun(self, node: "Node") -> "Node":
         """The same with 0 and 1 for steps and ramps of instants that are known to be before or after their begin, and
         signs that are known."""
         known = {}
@@ -131,7 +127,7 @@ class AboutRest:
                     known[call] = low if before else argument if call.name == "ramp" else self.table.one
         return substitute([node], known)[0] if known else node
 
-    def _unrooted(self, node):
+    def _unrooted(self, node: "Node") -> "Node":
         """A function of the time with H − u for √((H − u)²), where that is so while anything acts."""
         terms = node.args if node.op == "sum" else ((node, ONE),)
         for part, _ in terms:
@@ -152,54 +148,43 @@ class AboutRest:
     def rest(self, node: "Node", named: bool = True) -> "Node":
         """An expression at rest, in its simplest form; where `named` a letter for a long one that has a number, at a
         place that a search found for one that is not short."""
-        found = self.tidy(self._begun(substitute([node], self.place)[0]))
-        found = self.tidy(without_bars(found, self.samples))
-        most = READABLE if self._searched else TOO_LONG
-        if not named or self.problem.numeric.has_free_symbols or letters(found) <= most:
-            return found
-        return self._letter_for(found)
+        found = self._begun(substitute([node], self.place)[0])
+        found = self.tidy(without_bars(self.tidy(without_bars(found, self.samples)), self.samples))
+        return self._letter_for(found) if named and self.is_long(found) else found
+
+    def is_long(self, node: "Node") -> bool:
+        """Has an expression at rest a letter of its own, being long and having a number?"""
+        return not self.problem.numeric.has_free_symbols and is_long(node, self._searched)
 
     def tension(self, node: "Node") -> "Node":
-        """A force at rest, which has a letter of its own where a search found the place."""
-        return self.rest(node, named=not self._searched)
+        """A force at rest, which has the letter of its element."""
+        return self.rest(node, named=False)
 
-    def _letter_for(self, node):
-        """A letter for a number, told with what it stands for; zero for what rounding leaves at a searched place."""
-        if self._sheet is None or node.op == "symbol":
+    def _letter_for(self, node: "Node") -> "Node":
+        """A letter for a number; zero for what rounding leaves at a searched place."""
+        if self._lettered is None:
             return node
-        if self._searched and self._rounded_away(node):
-            return self.table.zero
-        if node not in self._named:
-            other = textbook(-node)
-            if other in self._named:
-                return -self._named[other]
-            name, value = self._sheet.letter(f"b{len(self._named) + 1}"), self.value(node)
-            shown = [" = ", node] if letters(node) <= SHOWN else []
-            words = [] if self._sheet.opened else [Words("with " if self._searched else "for short:  ")]
-            self._dimensions[name] = dimension_of(node, self._dimension)
-            unit = units.text(self._dimensions[name] or units.NONE)
-            self._sheet.write(*words, Name(name), *shown, *number(value, unit), settles=name, node=node, value=value,
-                              unit=unit, opens=True)
-            self._named[node] = self.table.parameter(name, positive=False)
-            self.know(self._named[node], value)
-        return self._named[node]
+        return self.table.zero if self.is_rounding(node) else self._lettered.letter_for(node)
 
-    def _dimension(self, name):
-        """That of a letter of the scene, of a place or of one of its own."""
-        if name in self._dimensions:
-            return self._dimensions[name]
-        q = next((q for q, at in self.place.items() if getattr(at, "name", None) == name), None)
-        return self.table.dimension(name) if q is None else self.problem.system.dimension(q.name)
-
-    def _rounded_away(self, node):
+    def is_rounding(self, node: "Node") -> bool:
+        """Is a sum at a searched place zero but for rounding?"""
+        if not self._searched:
+            return False
         terms = [part * c for part, c in node.args] if node.op == "sum" else [node]
         found = evaluate(terms, Floats, self.samples[0])
-        return abs(sum(found)) <= ROUNDING * sum(map(abs, found))
+        return cast("bool", abs(sum(found)) <= ROUNDING * sum(map(abs, found)))
 
     @property
     def abbreviates(self) -> bool:
         """Have long coefficients letters of their own?"""
-        return bool(self._named)
+        return self._keeps or bool(self._lettered and self._lettered.known)
+
+    def keep(self, letter: "Node", node: "Node") -> "Node":
+        """What stands in the sums for a force or slope at rest, which has a letter: this where it is long, or was found
+        by a search, else itself."""
+        kept = self.know(letter, self.value(node))
+        self._keeps |= not kept and self.is_long(node)
+        return letter if kept or self.is_long(node) else node
 
     def know(self, letter: "Node", value: float | None) -> bool:
         """Give a letter its number; is the place of rest known in numbers alone, so that it stands in the sums?"""
@@ -244,7 +229,7 @@ class AboutRest:
     def known_value(self, node: "Node") -> float | None:
         """The same of one whose letters all have numbers, although others may have none."""
         with suppress(KeyError):
-            return evaluate([node], Floats, self.numbers())[0]
+            return cast("float | None", evaluate([node], Floats, self.numbers())[0])
         return None
 
     def square(self, speeds: "Sequence[Node]") -> "Node":
@@ -282,7 +267,7 @@ class AboutRest:
 
     def sum_of_squares(self, parts: "Sequence[tuple[Node, Small]]") -> "dict[tuple[int, int], Node]":
         """{(i, j): Σ w aᵢ aⱼ}."""
-        found: dict = {}
+        found: dict[Any, Any] = {}
         for weight, small in parts:
             for i, a in small.slopes.items():
                 for j, b in small.slopes.items():
@@ -295,4 +280,4 @@ def value_of(problem: "Problem", node: "Node", known: Mapping[str, float]) -> fl
     """The number of an expression of parameters and known letters; None where they have none."""
     if problem.numeric.has_free_symbols:
         return None
-    return evaluate([node], Floats, {**problem.numeric.floats, **known})[0]
+    return cast("float | None", evaluate([node], Floats, {**problem.numeric.floats, **known})[0])

@@ -1,23 +1,24 @@
 """The steps from the figure to the equations of small oscillations: coordinates, energies body by body and spring by
 spring, rest, Lagrange's derivatives, the equations."""
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.report.blocks import Name, SumOfTerms, Words
 from vibcli.report.steps.bodies import Bodies, EnergyPart
 from vibcli.report.steps.connections import Acting, Connections
 from vibcli.report.steps.held import HINT, UNTOLD, SmallEquations, Untold, drive_of, held, left, row
+from vibcli.report.steps.lettered import FORCE, SHOWN, is_told_by_number
 from vibcli.report.steps.small import AboutRest
 from vibcli.report.steps.step import WorkedSolution, momentum, number, slope_by
 from vibcli.report.steps.turning import TurningFrames
 from vibcli.report.steps.written_out import WrittenOut
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.nested_form import letters
-from vibcli.symbolic.node import is_number
 from vibcli.symbolic.normal_form import textbook
 
 if TYPE_CHECKING:
+
     from vibcli.scene.energy_terms import Damper, Spring
     from vibcli.scene.laws import Law
     from vibcli.symbolic.node import Node
@@ -30,7 +31,7 @@ SUMMED = 60     # letters of T of what is driven, up to which its parts are adde
 class Derivation:
     """The steps to the equations of small oscillations of a problem, written on a sheet."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution) -> None:
         self.about, self.sheet, self.problem, self.scene = about, sheet, about.problem, about.scene
         self.names = self.scene.coordinates
 
@@ -60,7 +61,8 @@ class Derivation:
                 self._sum("Phi", Phi, self.about.squared(slowed, self.scene.v))]
         return self._lagrange(M, C, G, K, [line for line in (*short, *sums) if line], at_once=bool(short))
 
-    def _shortened(self, *matrices):
+    def _shortened(self, *matrices: "dict[tuple[int, int], Node]"
+                   ) -> "tuple[list[Any], Sequence[dict[tuple[int, int], Node]]]":
         """Numbers of lines, and M and K: of one degree, where coefficients at a place have letters, a letter for each
         that is long; not of what goes out in variants, which asks for M and K themselves."""
         about, name = self.about, self.names[0]
@@ -80,14 +82,15 @@ class Derivation:
             found.append(matrix)
         return lines, found
 
-    def _driven(self, turning):
+    def _driven(self, turning: set[Any]) -> bool:
         """Is something driven, but for frames that turn steadily?"""
         scene, time = self.scene, self.scene.time
         stretched: tuple[Spring | Damper | Law, ...] = (*scene.springs, *scene.dampers, *scene.laws)
         return any(time in gradient(term.s) for term in scene.inertias if term.owner not in turning) or any(
             textbook(term.s).mask & time.mask for term in stretched if time in gradient(term.s))
 
-    def _driven_energies(self, T, V, Phi, acting, matrices):
+    def _driven_energies(self, T: list[EnergyPart], V: list[EnergyPart], Phi: list[EnergyPart], acting: list[Acting],
+                         matrices: tuple[Any, ...]) -> "list[Node]":
         """T, V and Φ of what is driven; Untold where Lagrange's equations of these, written down term by term,
         are not those of the engine."""
         table, scene = self.scene.table, self.scene
@@ -103,14 +106,14 @@ class Derivation:
                 raise Untold(UNTOLD, HINT)
         return energies
 
-    def _equation(self, energies, q, v):
+    def _equation(self, energies: "list[Node]", q: "Node", v: "Node") -> "list[Node]":
         """The terms of d/dt ∂T/∂q̇ − ∂T/∂q + ∂V/∂q + ∂Φ/∂q̇."""
         T, V, Phi = energies
         zero = self.scene.table.zero
         return [self.scene.rate(gradient(T).get(v, zero)), -gradient(T).get(q, zero), gradient(V).get(q, zero),
                 gradient(Phi).get(v, zero)]
 
-    def _added(self, one, other):
+    def _added(self, one: "dict[tuple[int, int], Node]", other: Mapping[Any, Any]) -> "dict[tuple[int, int], Node]":
         """The sum of two matrices, simplified."""
         if not other:
             return one
@@ -135,16 +138,16 @@ class Derivation:
             self._tension(next(one for one in loaded if one.shown is shown), uses, joined=beside or i > 0)
         return line
 
-    def _together(self, acting, i):
+    def _together(self, acting: Sequence[Acting], i: int) -> "list[Node]":
         """What each force at rest adds to the balance of a coordinate, those of like springs together where they do
         not cancel."""
-        slopes: dict = {}
+        slopes: dict[Any, Any] = {}
         for one in acting:
             slopes.setdefault(one.shown, []).append(one.s.slopes[i])
         found = [shown * self.about.tidy(self.scene.table.total(several)) for shown, several in slopes.items()]
         return [term for term in found if not term.is_zero] or [one.shown * one.s.slopes[i] for one in acting]
 
-    def _tension(self, one, balance, joined):
+    def _tension(self, one: Acting, balance: list[int | None], joined: bool) -> None:
         """The tension of a spring at rest: what the balance leaves for it, or what its law gives there."""
         about, unit = self.about, self._unit_of_force(one.name)
         follows = (self.problem.spec.get("springs") or {}).get(one.name, {}).get("preload") == "static"
@@ -152,21 +155,22 @@ class Derivation:
         places = [step.number for step in self.sheet.steps if step.settles.startswith("equilibrium[")]
         force = about.value(one.tension)
         told = () if force is None else number(force, unit)
-        told = told if told and is_number(one.tension) else (" = ", one.tension, *told)
+        most = FORCE if one.linear else SHOWN
+        told = told if is_told_by_number(one.tension, force, most) else (" = ", one.tension, *told)
         self.sheet.write(Words(words), Name(one.shown.name), *told,
                          *(self._deflection(one, unit) if one.linear else ()), settles=one.shown.name,
                          node=one.tension, value=force, unit=unit, uses=balance if follows else places,
                          joined=joined, aside=True)
 
-    def _deflection(self, one, unit):
+    def _deflection(self, one: Acting, unit: str) -> "tuple[Node | str | Words, ...]":
         """Parts of N/k of a linear spring."""
-        delta = self.about.tidy(one.tension / one.k)
+        delta = self.about.tidy((one.kept if self.about.is_long(one.tension) else one.tension) / one.k)
         value = self.about.value(delta)
         told = () if value is None else (*number(value, "rad" if unit == "N·m" else "m"),
                                          Words(" (lengthened)" if value > 0 else " (shortened)"))
         return Words(f",  {one.name} being deflected by "), delta, *told
 
-    def _unit_of_force(self, name):
+    def _unit_of_force(self, name: str) -> str:
         record = (self.problem.spec.get("springs") or {}).get(name, {})
         return "N·m" if "torsion" in record else "N"
 
@@ -182,7 +186,9 @@ class Derivation:
         return self.sheet.write(Name(letter), " = ", *several, " = " * bool(several), node, *why, settles=letter,
                                 node=node, uses=[*uses, rest])
 
-    def _lagrange(self, M, C, G, K, uses, driven=None, at_once=False) -> SmallEquations:
+    def _lagrange(self, M: "dict[tuple[int, int], Node]", C: "dict[tuple[int, int], Node]", G: dict[Any, Any],
+                  K: "dict[tuple[int, int], Node]", uses: list[int], driven: "list[Node] | None" = None,
+                  at_once: bool = False) -> SmallEquations:
         drive = drive_of(self.problem)
         lines = []
         for i, name in enumerate(self.names):
@@ -195,7 +201,9 @@ class Derivation:
                                           settles=f"equation[{name}]", node=node, uses=uses))
         return SmallEquations(M, C, G, K, drive, lines)
 
-    def _derivatives(self, i, name, M, C, K, uses, driven, at_once):
+    def _derivatives(self, i: int, name: str, M: "dict[tuple[int, int], Node]", C: "dict[tuple[int, int], Node]",
+                     K: "dict[tuple[int, int], Node]", uses: list[int], driven: "Sequence[Node] | None",
+                     at_once: bool) -> None:
         """∂T/∂q̇, its rate, ∂V/∂q and ∂Φ/∂q̇ of one degree of freedom, those of V and Φ in the same line where
         `at_once`; `driven`: T, V and Φ of one that is."""
         scene = self.scene

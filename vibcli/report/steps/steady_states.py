@@ -40,7 +40,7 @@ class SteadyState:
     """What loads of one frequency keep up. argument: Ωt + φ; loads: {row: {sin or cos: factor}}."""
 
     def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations, argument: "Node",
-                 loads: "Mapping[int, Mapping[str, Node]]"):
+                 loads: "Mapping[int, Mapping[str, Node]]") -> None:
         self.about, self.sheet, self.found, self.argument, self.loads = about, sheet, found, argument, loads
         self.table, self.names = about.table, about.scene.coordinates
         self.n, self.given = len(self.names), gradient(argument)[about.scene.time]
@@ -51,10 +51,10 @@ class SteadyState:
         if not symbol:
             self._know()
         self.undamped = not found.C and not found.G and len(kinds) == 1
-        self.parts, self.Z = dict[Any, tuple](), list[list[Any]]()      # of letters of Z and F; rows of letters
+        self.parts, self.Z = dict[Any, tuple[Any, ...]](), list[list[Any]]()    # of letters of Z and F; rows of letters
         self.numeric = not about.problem.numeric.has_free_symbols
 
-    def _know(self):
+    def _know(self) -> None:
         """Give the letter of the frequency its number, and values beside those of the other letters."""
         for values in self.about.samples:
             values[self.Omega.name], = evaluate([self.given], Floats, values)
@@ -97,7 +97,7 @@ class SteadyState:
         A, B = (self.loads.get(i, {}).get(wave, self.table.zero) for wave in ("sin", "cos"))
         return (textbook(A), textbook(B)) if self.wave == "sin" else (textbook(B), textbook(-A))
 
-    def _equations(self):
+    def _equations(self) -> int:
         """The line of Z X = F."""
         sheet, Omega = self.sheet, self.Omega
         argument = [self.argument] if Omega is self.given else self._shifted()
@@ -121,27 +121,27 @@ class SteadyState:
         return sheet.write(*head, *([] if self.several else what), *equations, settles="steady state",
                            uses=self.found.lines)
 
-    def _shifted(self):
+    def _shifted(self) -> list[Any]:
         """Parts of Ωt, and of the phase of the loads."""
         time = self.about.scene.time
         phase_of = textbook(self.argument - self.given * time)
         return [self.Omega, "·", time, *([] if phase_of.is_zero else [" + ", Factor(phase_of)])]
 
-    def _right_sides(self, line):
+    def _right_sides(self, line: int) -> None:
         """The line of F of what is not solved in letters."""
         told = [(self._letter("F", i), complex_parts(*self.force(i))) for i in self.loads]
         self.sheet.write(Words("solved as any linear equations, with  "), *[part for i, (letter, parts) in enumerate(
             told) for part in (*([Words(",  ")] if i else []), letter, " = ", *parts)], settles="right sides",
             uses=[line])
 
-    def _letter(self, name, i, j=None):
+    def _letter(self, name: str, i: int, j: int | None = None) -> "Node":
         return self.about.letter(self.sheet.letter(f"{self.sheet.matrix(name) if j is not None else name}{i + 1}"
                                                    + ("" if j is None else str(j + 1))))
 
-    def _entries(self):
+    def _entries(self) -> "list[list[Node]]":
         """Rows of letters of Z, one for what stands twice in it; zero where it has nothing beside its diagonal."""
         rows = [[self.table.zero] * self.n for _ in range(self.n)]
-        self.defined: list[tuple[Node, str, tuple, str]] = []
+        self.defined: list[tuple[Node, str, tuple[Any, ...], str]] = []
         for i in range(self.n):
             for j in range(self.n):
                 parts = self.entry(i, j)
@@ -155,7 +155,7 @@ class SteadyState:
                     self.defined.append((rows[i][j], more, parts, unit_of_entry(self.about.problem, i, j)))
         return rows
 
-    def _determinant(self, uses):
+    def _determinant(self, uses: list[int]) -> list[int]:
         """Lines of the entries of Z and F, and of its determinant."""
         from numpy.linalg import det
 
@@ -184,7 +184,7 @@ class SteadyState:
             " = " + complex_told(value), Words(f" {unit_of_determinant(self.about.problem)}"))),
                                         settles=self.D.name, uses=[sheet.last])]
 
-    def _part(self, told, node, name, real):
+    def _part(self, told: "tuple[Node, str]", node: "Node", name: str, real: "Node") -> "Node":
         """The letter of the real or the imaginary part of one that is told, (letter, unit); of zero itself."""
         letter, unit = told
         if node.is_zero or real:
@@ -201,19 +201,19 @@ class SteadyState:
             return given
         return self.parts.get(self.F[i] if j is None else self.Z[i][j], given)
 
-    def _complex(self, real, imaginary):
+    def _complex(self, real: "Node", imaginary: "Node") -> complex | None:
         values = [self.about.value(node) for node in (real, imaginary)]
         return None if None in values else complex(*values)
 
-    def _rows(self, values):
+    def _rows(self, values: dict[str, float]) -> tuple[list[list[complex]], list[complex]]:
         """Z and F at values of the letters."""
-        def at(parts):
+        def at(parts: "tuple[Node, Node]") -> complex:
             return complex(*evaluate(list(parts), Floats, values))
 
         return ([[at(self.entry(i, j)) for j in range(self.n)] for i in range(self.n)],
                 [at(self.force(i)) for i in range(self.n)])
 
-    def _solved(self):
+    def _solved(self) -> list[complex] | None:
         """Complex amplitudes in numbers, those that the engine finds: Untold of others; None in letters."""
         if not self.numeric:
             return None
@@ -232,7 +232,7 @@ class SteadyState:
                 raise Untold(UNTOLD, HINT)
         return found
 
-    def _amplitude(self, k, name, values, uses, written):
+    def _amplitude(self, k: int, name: str, values: "Sequence[complex] | None", uses: list[int], written: bool) -> None:
         """The line of X of a coordinate, |X| and its lag."""
         letter, unit = self.own("X", k), "m" if self.about.problem.system.dimension(name) else "rad"
         more, told_of = {}, [Words("of "), *self._which(k), Name(name), Words(":  ")]
@@ -254,7 +254,7 @@ class SteadyState:
         if values is not None and values[k] and not self.undamped:
             self._lag(k, name, values[k])
 
-    def _lag(self, k, name, value):
+    def _lag(self, k: int, name: str, value: complex) -> None:
         """The lag of a coordinate behind the wave of the loads, beside its amplitude."""
         lag = pi if value.real < 0 == value.imag else -phase(value)
         plain = not self.several and self.wave == "sin" and self.argument.op == "product"
@@ -262,20 +262,20 @@ class SteadyState:
                          settles=f"phase({name})" if plain else f"lag {self.order} of {name}", joined=True,
                          node=self.phasors.lag(k))
 
-    def _which(self, k):
+    def _which(self, k: int) -> list[Any]:
         """Words that say which row a coordinate of another number has."""
         own = self.names[k].lstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_")
         nth = ("first", "second", "third")[k] if self.n <= WRITTEN else ""
         return [Words(f"the {nth} coordinate, ")] if own not in ("", str(k + 1)) and nth else []
 
-    def _in_numbers(self, value, letter, unit, written):
+    def _in_numbers(self, value: complex, letter: Name, unit: str, written: bool) -> list[Any]:
         """Parts of a complex amplitude and its size."""
         if self.undamped:
             return [*([] if written else [letter]), *number(value.real, unit)]
-        head = [" = " + complex_told(value), Words(f" {unit},  ")] if written else []
+        head: list[Any] = [" = " + complex_told(value), Words(f" {unit},  ")] if written else []
         return [*head, "|", letter, "|", *number(abs(value), unit)]
 
-    def _in_letters(self, name, told_of, letter):
+    def _in_letters(self, name: str, told_of: Any, letter: Name) -> "dict[str, Node]":
         """The amplitude that the engine finds in letters, told where it is one to read; in numbers of what is not
         damped."""
         try:
@@ -288,7 +288,7 @@ class SteadyState:
             told_of += [*([Words(",  "), "|", letter, "|"] if not formula.undamped else []), " = ", node]
         return {"node": node}
 
-    def _agrees(self, node, k):
+    def _agrees(self, node: "Node", k: int) -> bool:
         """Is the size of an amplitude by Z X = F that of the engine's formula at values of the letters?"""
         from numpy.linalg import solve
 

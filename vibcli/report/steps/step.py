@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from vibcli.report.steps.motion_by_pieces import MotionByModes, MotionByPieces
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef
 
 MARKED = "′", "′′", "′′′"
 MATRICES = {"M": "DHN", "C": "BRW", "G": "YXU", "K": "SEZ", "P": "LJQ", "Z": "AOV"}   # where the scene has these
@@ -40,7 +41,7 @@ class WorkedLine(NamedTuple):
     number: int
     settles: str
     uses: tuple[int, ...]
-    parts: tuple
+    parts: tuple[Any, ...]
     node: Any = None
     value: float | None = None
     unit: str = ""
@@ -52,15 +53,18 @@ class WorkedLine(NamedTuple):
 class WorkedSolution:
     """Steps that are written down; `taken`: the names of the scene, which new letters never meet."""
 
-    def __init__(self, taken: Sequence[str]):
+    def __init__(self, taken: Sequence[str]) -> None:
         self.steps: list[WorkedLine] = []
         self._taken = set(map(_printed, taken))
         self._letters: dict[str, str] = {}
         self._beside: WorkedLine | None = None
-        self.drawn: dict[Problem, tuple] = {}       # scenes in numbers that were drawn of one in letters
+        self.drawn: dict[Problem, tuple[Any, ...]] = {}       # scenes in numbers that were drawn of one in letters
         self.waves: dict[str, ToldMotion] = {}      # of coordinates that move freely by the letters of lines
         self.in_numbers: dict[str, float] = {}      # of letters in whose place lines have the number
         self.responses: dict[Node, LetteredStiffness] = {}      # of K − Ω²M + iΩC by Ω
+        self.lengths: dict[Node, Node] = {}         # the letters of long roots and of turns, by what they stand for
+        self.turns: dict[Node, Node] = {}
+        self.frequencies: dict[Node, Node] = {}     # the letters of those in numbers, at which something is asked
         self.by_pieces: dict[str, MotionByPieces | MotionByModes] = {}      # of coordinates under pieces of loads
 
     @property
@@ -85,7 +89,7 @@ class WorkedSolution:
                                             + [wanted + mark for mark in MARKED])
         return self._letters[key]
 
-    def _free(self, names):
+    def _free(self, names: Sequence[str]) -> str:
         found = next(name for name in names if _printed(name) not in self._taken)
         self._taken.add(_printed(found))
         return found
@@ -116,7 +120,7 @@ class WorkedSolution:
         return bool(self.steps) and self.steps[-1] is self._beside
 
 
-def _printed(name):
+def _printed(name: str) -> tuple[str, str]:
     """(letter, index) as a name is printed: a_1 as a1."""
     letter, below, primes = split_name(name)
     return GREEK.get(letter, letter) + primes, below.removeprefix("_")
@@ -128,24 +132,24 @@ def indexed(name: str, index: int) -> str:
     return f"{bare}{index}{name[len(bare):]}"
 
 
-def momentum(sheet: WorkedSolution, name: str, p: Any, change: Any, slope: Any) -> tuple:
+def momentum(sheet: WorkedSolution, name: str, p: Any, change: Any, slope: Any) -> tuple[Any, ...]:
     """Parts of ∂T/∂q̇ = p,  d/dt ∂T/∂q̇ = its rate,  ∂T/∂q = slope."""
     of_speed = slope_by(sheet, "T", name + "'")
     return (*of_speed, " = ", p, Words(",  "), "d/dt ", *of_speed, " = ", change, Words(",  "),
             *slope_by(sheet, "T", name), " = ", slope)
 
 
-def slope_by(sheet: WorkedSolution, letter: str, name: str) -> tuple:
+def slope_by(sheet: WorkedSolution, letter: str, name: str) -> tuple[str, Name, str, Name]:
     """Parts of ∂V/∂q of the letter of an energy."""
     return ("∂", Name(sheet.letter(letter)), "/∂", Name(name))
 
 
-def number(value: float, unit: str = "") -> tuple:
+def number(value: float, unit: str = "") -> tuple[str | Words, ...]:
     """Parts of ` = value unit`."""
     return (" = " + told(value), *([Words(f" {unit}")] if unit else []))
 
 
-def of_time(sheet: WorkedSolution, omega: float) -> list:
+def of_time(sheet: WorkedSolution, omega: float) -> list[Name | str | Words]:
     """Parts of `,  f = …,  T = …` of an angular frequency."""
     return [Words(",  "), Name(sheet.letter("f")), *number(omega / tau, "Hz"), Words(",  "), Name(sheet.letter("T")),
             *number(tau / omega, "s")]
@@ -156,7 +160,7 @@ def told(value: float) -> str:
     return with_minus(value)
 
 
-def place_told(*place: "Node") -> list:
+def place_told(*place: "Node") -> "list[Node | str]":
     """Parts of (x, y); a number beside letters that does not tell its unit, or alone, is in metres."""
     parts: list[Any] = []
     for node in place:
@@ -178,7 +182,7 @@ def unit_told(spec: "Spec", asked: "Expression") -> str:
     return "" if unit == "1" or (unit == "rad" and _divides(asked.tree)) else unit
 
 
-def _divides(tree):
+def _divides(tree: "NameRef | QuantityRef") -> bool:
     """Is it a quotient, or read off one?"""
     if isinstance(tree, Product):
         return any(power < 0 for power, _ in tree.parts)

@@ -15,6 +15,7 @@ from vibcli.symbolic.syntax import QuantityRef
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
     from vibcli.symbolic.node import Node
 
@@ -35,7 +36,7 @@ def settle_told(problem: "Problem", sheet: WorkedSolution) -> None:
             _settle(problem, sheet, asked)
 
 
-def _settle(problem, sheet, asked):
+def _settle(problem: "Problem", sheet: WorkedSolution, asked: "Expression") -> None:
     """By its definition; of what has no number of its own, and in numbers, where the engine has it."""
     known, numeric = None, not problem.numeric.has_free_symbols
     for line, node in _told(problem, sheet, asked.tree):
@@ -47,7 +48,7 @@ def _settle(problem, sheet, asked):
             return
 
 
-def _told(problem, sheet, tree: Any) -> "Iterator[tuple[WorkedLine, Node]]":
+def _told(problem: "Problem", sheet: WorkedSolution, tree: Any) -> "Iterator[tuple[WorkedLine, Node]]":
     """(a line that may tell it, the expression that is then asked)."""
     table, indices = problem.scene.table, tree.indices
     if tree.head in MATRICES and len(indices) == 2 and problem.symbolic.linearisable:
@@ -68,17 +69,17 @@ def _told(problem, sheet, tree: Any) -> "Iterator[tuple[WorkedLine, Node]]":
             yield line, 2 * table.pi / omega if tree.head == "period" else omega / (2 * table.pi)
 
 
-def _stands_in(sheet, number, letter):
+def _stands_in(sheet: WorkedSolution, number: int, letter: Name) -> bool:
     """Has a numbered line that letter?"""
     return any(isinstance(part, Name) and part == letter for line in sheet.steps if line.number == number
                for part in line.parts)
 
 
-def _entry(problem, tree) -> "Node":
+def _entry(problem: "Problem", tree: QuantityRef) -> Any:
     return problem.symbolic.matrices[MATRICES.index(tree.head)].get(_place(problem, tree), problem.scene.table.zero)
 
 
-def _place(problem, tree):
+def _place(problem: "Problem", tree: QuantityRef) -> tuple[int, int]:
     i, j = (coordinate_number(problem, index) for index in tree.indices)
     return i, j
 

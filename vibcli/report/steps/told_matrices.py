@@ -1,7 +1,7 @@
 """M, C, G and K of several degrees of freedom as matrices, in letters and in numbers; entry by entry where a page does
 not hold them."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vibcli.notation.names import lowered
@@ -34,18 +34,18 @@ class _Entries:
     """Those of a matrix."""
 
     def __init__(self, about: AboutRest, sheet: WorkedSolution, letter: str,
-                 entries: "Mapping[tuple[int, int], Node]"):
+                 entries: "Mapping[tuple[int, int], Node]") -> None:
         self.about, self.sheet, self.letter, self.entries = about, sheet, letter, entries
         self.names, self.name = about.scene.coordinates, sheet.matrix(letter)
         self.values = {pair: self._value(node) for pair, node in entries.items()}
 
-    def _value(self, node):
+    def _value(self, node: "Node") -> float:
         """The number of an entry, zero where it is so but for rounding; None in letters."""
         value = self.about.value(node)
         exact = None if value is None else evaluate_rational([node], self.about.problem.scene.parameters.exact)
         return 0.0 if exact == [0] else value
 
-    def _unit(self, i, j):
+    def _unit(self, i: int, j: int) -> str:
         return UNITS[self.letter][sum(not self.about.problem.system.dimension(self.names[k]) for k in (i, j))]
 
     def tell(self, uses: list[int], first: bool) -> int:
@@ -61,12 +61,12 @@ class _Entries:
                              unit="" if value is None else self._unit(i, j))
         return line
 
-    def _different(self):
+    def _different(self) -> "list[tuple[tuple[int, int], Node]]":
         """((i, j), entry) of those that do not stand across the diagonal as well."""
         return [(pair, node) for pair, node in sorted(self.entries.items()) if pair[1] >= pair[0] or not self._twin(
             *pair)]
 
-    def _twin(self, i, j):
+    def _twin(self, i: int, j: int) -> bool:
         """Is it the one across the diagonal once more, or less, where the matrix is skew?"""
         across = self.entries.get((j, i), self.about.table.zero)
         return self.letter == "G" or self.about.same(self.entries[i, j], across)
@@ -83,31 +83,31 @@ class _Entries:
             return [Name(self.name), " = ", by_letters, *numbers]
         return [*self._one_by_one(), *([Words(",  "), Name(self.name), *numbers] if numbers else [])]
 
-    def _in_numbers(self):
+    def _in_numbers(self) -> list[ShownMatrix | Words]:
         """Parts of the matrix in numbers; the unit stands behind it, where all have the same."""
         units = {self._unit(i, j) for (i, j), value in self.values.items() if value}
         alone = units.pop() if len(units) == 1 else ""
 
-        def cell(pair):
+        def cell(pair: "tuple[int, int]") -> "tuple[Sequence[str], ...]":
             unit = [Words(f"\u00a0{self._unit(*pair)}")] * bool(units and self.values[pair])
             return (told(self.values[pair]), *unit)
 
         return [ShownMatrix(self._rows(cell)), *[Words(f"\u00a0{alone}")] * bool(alone)]
 
-    def _rows(self, cell):
+    def _rows(self, cell: Callable[..., Any]) -> tuple[tuple[Any, ...], ...]:
         indices = range(len(self.names))
         return tuple(tuple(cell((i, j)) if (i, j) in self.entries else ("0",) for j in indices) for i in indices)
 
-    def _one_by_one(self):
+    def _one_by_one(self) -> "list[Node | str | Words]":
         parts: list[Any] = []
         for (i, j), node in self._different():
             twin = f" = {'−' * (self.letter == 'G')}{self._entry(j, i)}" if i != j and self._twin(i, j) else ""
             parts += [*[Words(",  ")] * bool(parts), f"{self._entry(i, j)}{twin}", " = ", node]
         return parts
 
-    def _entry(self, i, j):
+    def _entry(self, i: int, j: int) -> str:
         return f"{self.name}{lowered(i + 1)}{lowered(j + 1)}"
 
 
-def _is_narrow(matrix):
+def _is_narrow(matrix: Any) -> bool:
     return max(map(width, rows_of_matrix(matrix))) <= WIDEST

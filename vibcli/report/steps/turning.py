@@ -34,7 +34,7 @@ class _Carried(NamedTuple):
 class TurningFrames:
     """What the bodies that turning frames carry add to G and to V; nothing where no frame turns."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution) -> None:
         self.about, self.sheet, self.scene = about, sheet, about.scene
         self._carried = list(self._found())
 
@@ -64,7 +64,7 @@ class TurningFrames:
                     "of it with squares of speeds  "), Name(letter), " = ", node, settles=letter, node=node)
                 yield EnergyPart(letter, node, line)
 
-    def _letter(self, letter, body):
+    def _letter(self, letter: str, body: Any) -> str:
         return self.sheet.letter(letter, body.name)
 
     def potential(self) -> "Iterator[tuple[EnergyPart, Acting]]":

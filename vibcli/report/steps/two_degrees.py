@@ -1,7 +1,8 @@
 """The steps from M and K of two degrees of freedom to their natural frequencies, ratios of amplitudes and normal
 coordinates: det(K − ω²M) = a₂ ω⁴ − a₁ ω² + a₀ = 0 written out, and what follows from its roots."""
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Either, Factor, Name, Words
@@ -30,16 +31,16 @@ NOTHING = 1e-9          # of a ratio of amplitudes: it is zero but for rounding
 class TwoDegrees:
     """M q̈ + G q̇ + K q = 0 of two coordinates."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -> None:
         self.about, self.sheet, self.found, self.table = about, sheet, found, about.table
         self.names = about.scene.coordinates
         for power in (2, 1, 0):         # before ω, so that they stand before its powers
             about.letter(sheet.letter(f"a{power}"))
         self.omega = about.letter(sheet.letter("omega"))
-        self._told: tuple | None = None         # what modes in letters have, and the lines that tell them
+        self._told: tuple[Any, ...] | None = None         # what modes in letters have, and the lines that tell them
         self.row = self._first([i for i in range(2) if not self._stiffened(i, 1).is_zero])
 
-    def _first(self, rows):
+    def _first(self, rows: Sequence[int]) -> int:
         """The first of these rows, before those that rigid motions fulfil whatever their shape."""
         return next((i for i in rows if (i, 0) in self.found.K or (i, 1) in self.found.K), next(iter(rows), None))
 
@@ -56,7 +57,7 @@ class TwoDegrees:
         return False
 
     def entry(self, letter: str, i: int, j: int) -> "Node":
-        return getattr(self.found, letter).get((i, j), self.table.zero)
+        return cast("Node", getattr(self.found, letter).get((i, j), self.table.zero))
 
     def determinant(self, uses: list[int]) -> list[int]:
         """Write down det(K − ω²M) = 0, its coefficients, and the formula of its roots; the numbers of the lines."""
@@ -73,7 +74,7 @@ class TwoDegrees:
         roots = Either((a1 + mark) / (2 * a2), mark, self.table.sqrt(a1 * a1 - 4 * a0 * a2))
         return [*lines, self.sheet.write(omega ** 2, " = ", roots, *self._put_in(), settles="omega^2", uses=lines)]
 
-    def _put_in(self):
+    def _put_in(self) -> list[str]:
         """The numbers of the formula of the roots, its square root drawn; nothing of letters, nor of complex ones."""
         values = [self.about.value(node) for node in self.coefficients]
         if None in values or values[1]**2 < 4 * values[0] * values[2]:
@@ -123,7 +124,7 @@ class TwoDegrees:
         if len(shapes) == 2:
             self._told = shapes, [*lines, last]
 
-    def _lettered(self, ratio):
+    def _lettered(self, ratio: int) -> "tuple[list[tuple[Node, tuple[Node, Node]]], list[int]] | None":
         """Modes whose frequencies and ratios have letters, told where the file starts a motion that nothing damps."""
         if self.found.C or self.found.drive or self.about.problem.spec.get("initial") is None:
             return None
@@ -148,11 +149,11 @@ class TwoDegrees:
         if self._told is not None:
             tell_in_letters(self.about, self.sheet, self.found, *self._told)
 
-    def _apart(self):
+    def _apart(self) -> bool:
         """Does no equation have both coordinates, but perhaps by damping?"""
         return not (self.found.G or any(i != j for matrix in (self.found.M, self.found.K) for i, j in matrix))
 
-    def _alone(self, squares):
+    def _alone(self, squares: "Sequence[Node]") -> "list[tuple[Node, tuple[Node, Node]]]":
         """[(ω², the shape)] of modes in which one coordinate moves; none where the letters leave open which."""
         shapes = (self.table.one, self.table.zero), (self.table.zero, self.table.one)
         of = [[i for i in range(2) if is_zero(node * self.entry("M", i, i) - self.entry("K", i, i))]
@@ -160,7 +161,7 @@ class TwoDegrees:
         return [(node, shapes[i]) for node, (i,) in zip(squares, of, strict=True)] if of in ([[0], [1]], [
             [1], [0]]) else []
 
-    def _quotient(self, above, below):
+    def _quotient(self, above: "Node", below: "Node") -> "Node":
         """above/below, without a root of a number below where it is shorter so."""
         plainly = self.about.tidy(above / below)
         roots = {part for part in reachable([below]) if part.op == "product" and [
@@ -171,12 +172,12 @@ class TwoDegrees:
         found = self.about.tidy(textbook(above * turned) / textbook(below * turned))
         return min((plainly, found), key=lambda node: len(plain(node)))
 
-    def _root_in_letters(self, k, node, uses):
+    def _root_in_letters(self, k: int, node: "Node", uses: list[int]) -> int:
         omega, letter = root(node, self.about.samples), self.about.letter(self.sheet.letter(f"omega{k}"))
         return self.sheet.write(letter ** 2, " = ", node, Words(",  "), letter, " = ", omega, node=omega,
                                 settles=f"omega[{k}]", uses=uses, letter=letter.name)
 
-    def _squares(self):
+    def _squares(self) -> "list[Node]":
         """[ω₁², ω₂²] where the square root of their formula comes out; else none."""
         a2, a1, a0 = self.coefficients
         if a2.is_zero:
@@ -206,7 +207,7 @@ class TwoDegrees:
         """The ratio with the letter of the frequency of a mode."""
         return substitute([self.shape], {self.omega: self.about.letter(self.sheet.letter(f"omega{k}"))})[0]
 
-    def _stiffened(self, i, j):
+    def _stiffened(self, i: int, j: int) -> "Node":
         return self.entry("K", i, j) - self.omega ** 2 * self.entry("M", i, j)
 
     def normal_coordinates(self, shapes: list[list[float]], uses: list[int]) -> None:
@@ -221,12 +222,12 @@ class TwoDegrees:
         self.sheet.write(Words("normal coordinates:  "), *told, settles="normal coordinates", uses=lines)
 
     @property
-    def _unit(self):
+    def _unit(self) -> str:
         """That of a ratio of amplitudes, '' where both are of one kind."""
         first, second = ("m" if self.about.problem.system.dimension(name) else "rad" for name in self.names)
         return "" if first == second else f"\u00a0{second}/{first}"
 
-    def _modal_mass(self, k, u, unit, uses):
+    def _modal_mass(self, k: int, u: Sequence[float], unit: str, uses: list[int]) -> int:
         """Σ Mᵢⱼ uᵢ uⱼ."""
         pairs = [(i, j) for i in range(2) for j in range(i, 2)
                  if (i, j) in self.found.M and min(abs(u[i]), abs(u[j])) > NOTHING]
@@ -238,7 +239,7 @@ class TwoDegrees:
                                 settles=f"modal_mass[{k}]", value=value, unit=unit, uses=uses)
 
 
-def _weighted(node, value, squared, unit):
+def _weighted(node: "Node", value: float, squared: bool, unit: str) -> list[Any]:
     """Parts of node·value, or node·value², the value having a unit; of the node alone where that is 1."""
     text = told(value)
     if value == 1 and not unit:
@@ -249,9 +250,9 @@ def _weighted(node, value, squared, unit):
     return [bracketed + "²" * squared + "·", Factor(node)]
 
 
-def _sum(terms, unit):
+def _sum(terms: Sequence[tuple[float, str]], unit: str) -> list[Name | str]:
     """Parts of Σ value·letter, the values having a unit."""
-    parts: list = []
+    parts: list[Any] = []
     for value, letter in terms:
         sign = (" − " if value < 0 else " + ") if parts else "−" if value < 0 else ""
         text = told(abs(value))

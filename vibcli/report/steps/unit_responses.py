@@ -25,7 +25,7 @@ class UnitResponses(NamedTuple):
     damped: bool
 
     @property
-    def _waves(self):
+    def _waves(self) -> "tuple[Node, Node, Node, Node]":
         """sin ω_dτ/ω_d, cos ω_dτ, e^{−δτ} and δ."""
         tau, table = self.tau, self.tau.table
         rate, delta = (self.omega_d, self.delta) if self.damped else (self.omega, table.zero)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class KeptUpPart(NamedTuple):
     """What loads keep up of a coordinate: [" + ", part, …], and as waves; None where it is none of Ωt."""
 
-    told: list
+    told: list[Any]
     waves: Any
 
 

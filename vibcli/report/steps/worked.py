@@ -40,7 +40,7 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     """The steps of a scene: to its equations of motion where these are asked, or small oscillations are not told apart
     element by element; then to its small oscillations."""
     _require_told(problem)
-    problem = problem if problem.scene.pieces else with_units(problem)
+    problem = with_units(problem, asked=True)
     sheet = _sheet_of(problem)
     tell_expansion(problem, sheet)
     tell_by_amplitude(problem, sheet)
@@ -52,7 +52,7 @@ def worked(problem: "Problem") -> list[WorkedLine]:
     return without_repeats(sheet.steps)
 
 
-def _sheet_of(problem):
+def _sheet_of(problem: "Problem") -> WorkedSolution:
     if problem.scene.held:
         sheet = _sheet(problem)
         tell_statics(problem, sheet)
@@ -69,7 +69,7 @@ def _sheet_of(problem):
     return sheet
 
 
-def _told(problem):
+def _told(problem: "Problem") -> WorkedSolution:
     if asks_in_full(problem) or not problem.scene.q:
         return _in_full(problem)
     try:
@@ -80,11 +80,11 @@ def _told(problem):
         raise refusal
 
 
-def _sheet(problem):
+def _sheet(problem: "Problem") -> WorkedSolution:
     return WorkedSolution([*problem.spec.parameters, *problem.spec.coordinates, *problem.scene.coordinates])
 
 
-def _small(problem):
+def _small(problem: "Problem") -> WorkedSolution:
     _require_small(problem)
     sheet = _sheet(problem)
     tell_coordinates(problem, problem.scene, sheet)
@@ -100,7 +100,7 @@ def _small(problem):
     return sheet
 
 
-def _in_full(problem):
+def _in_full(problem: "Problem") -> WorkedSolution:
     """The equations of motion, and what follows for small oscillations where there are any."""
     sheet, loose = _sheet(problem), problem.system.scene_with_multipliers
     tell_coordinates(problem, loose, sheet)
@@ -127,7 +127,7 @@ def _in_full(problem):
     return sheet
 
 
-def _solved(about: AboutRest, sheet: WorkedSolution, found: SmallEquations):
+def _solved(about: AboutRest, sheet: WorkedSolution, found: SmallEquations) -> None:
     if len(about.scene.q) == 1:
         OneDegree(Degree(about, sheet, found)).write()
     else:
@@ -146,7 +146,7 @@ def asks_in_full(problem: "Problem") -> bool:
         heads & ENERGIES and problem.scene.loops is None)
 
 
-def _require_told(problem):
+def _require_told(problem: "Problem") -> None:
     """PhysicsError of scenes whose steps are not told."""
     scene = problem.scene
     if not (scene.q or scene.pieces or scene.held or problem.system.scene_with_multipliers.q):
@@ -155,7 +155,7 @@ def _require_told(problem):
         raise PhysicsError(f"steps are told of up to {MOST} coordinates, and this scene has {len(scene.q)}", HINT)
 
 
-def _require_small(problem):
+def _require_small(problem: "Problem") -> None:
     """Untold of scenes whose small oscillations are not told element by element."""
     scene = problem.scene
     if scene.loops is not None and scene.timed and scene.vibrating is not scene:
@@ -165,7 +165,7 @@ def _require_small(problem):
     _require_slope(problem)
 
 
-def _require_slope(problem):
+def _require_slope(problem: "Problem") -> None:
     """Kinked where forces have no slope at rest."""
     if not problem.numeric.has_free_symbols:
         require_smooth(problem.configuration)

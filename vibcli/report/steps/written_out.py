@@ -21,7 +21,7 @@ OF = {"T": "kinetic energy", "V": "potential energy", "Phi": "dissipation functi
 class WrittenOut:
     """What `energies:` adds to T, V and Φ."""
 
-    def __init__(self, about: AboutRest, sheet: WorkedSolution):
+    def __init__(self, about: AboutRest, sheet: WorkedSolution) -> None:
         self.about, self.sheet, self.scene = about, sheet, about.scene
         record = about.problem.spec.get("energies") or {}
         self._given = {key: self.scene.lower(record[key]) for key in OF if key in record}
@@ -52,7 +52,7 @@ class WrittenOut:
             part, one = self._told("V", node), self.scene.table.one
             yield part, Acting("V as given", one, one, None, small, part.line)
 
-    def _told(self, key, node):
+    def _told(self, key: str, node: "Node") -> EnergyPart:
         letter = self.sheet.letter(key, "given")
         given = textbook(self.about.shifted(self._given[key]) - self.about.rest(self._given[key]))
         exact = given is textbook(node)

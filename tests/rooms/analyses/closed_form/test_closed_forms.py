@@ -205,6 +205,7 @@ def test_coefficients_out_of_proportion_are_not_factored(monkeypatch):
 
 # what is not shown
 
+@pytest.mark.sweep
 def test_a_wrong_form_is_not_shown(monkeypatch):
     from vibcli.analyses.closed_form import block_modes
 
@@ -267,6 +268,7 @@ def test_letters_of_any_sign():
     assert "ω₁ = |a|·√(3·k/m)/L" in printed(problem(text))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("modulus", [[-2, 0, 1], [-2, 0, 0, 3], [1, 1, 0, 0, 1], [3, 5]])
 def test_arithmetic_with_a_root_is_that_of_a_field(modulus):
     ground = PolyRing("x", QQ, "lex").to_field()

@@ -296,6 +296,7 @@ def test_absorber_chosen_by_its_fixed_points():
     assert sum(line.startswith("fixed point") for line in lines[:lines.index(lines[-1])]) >= 2
 
 
+@pytest.mark.sweep
 def test_tuning_in_letters():
     """k₂ = m₂ω₁²/(1 + μ)², μ = m₂/m₁ (Den Hartog 1956, §3.3)."""
     found = settled(problem((TUNED % ("", "", "", "", "")).replace("25 rad/s", "3 rad/s")))

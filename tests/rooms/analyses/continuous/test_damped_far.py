@@ -35,6 +35,7 @@ def test_all_up_to_far():
         assert abs(mode.eigenvalue - value) <= 1e-13 * abs(value)
 
 
+@pytest.mark.sweep
 def test_a_cantilever_with_a_damper_by_mpmath():
     """EI = μ = L = 1: b³ (1 + cos b cosh b) + c s (sin b cosh b − cos b sinh b) = 0, s = i b²."""
     system = FactoredSystem(2, dampers=[(0.5, {0: 1.0})], pieces=[
@@ -70,6 +71,7 @@ def test_as_those_found_with_all_below(seed, monkeypatch):
     assert far.count(float(near[22].omega) * (1 + 1e-9)) >= 23
 
 
+@pytest.mark.sweep
 def test_eigenvalues_that_decay_without_swinging_are_numbered():
     """A heavily damped body of little mass on a bar: a real λ far up, near −c/m."""
     piece = Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0)

@@ -56,6 +56,7 @@ def test_a_bar_with_an_end_damper(r):
         assert abs(mode.eigenvalue - value) <= 2 * mode.error * abs(value)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("r", [0.2, 0.999, 1.001, 30.0])
 def test_zeros_within_a_circle(r):
     matrix = dynamic_matrix(bar(r))
@@ -118,6 +119,7 @@ def test_a_damper_inside_matched_to_both_sides():
         source(inside(0.5)).numbered(990, 995)
 
 
+@pytest.mark.sweep
 def test_a_free_bar_before_a_matched_damper_rests():
     system = bar(1.0, {1: 1.0})
     assert dies_after(system) == 2.0 and [mode.omega for mode in left_over(system)] == [0.0]
@@ -136,6 +138,7 @@ def test_a_free_bar_rests_once():
         assert mode.eigenvalue == pytest.approx(complex(real, n * math.pi), rel=1e-13)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(0, 60, 7))
 def test_random_members_agree_with_finite_elements(seed):
     draw, system = random.Random(seed), random_members(seed)
@@ -192,6 +195,7 @@ def test_a_cantilever_with_mass_and_damper_by_mpmath():
             assert abs(value - mode.eigenvalue) <= 1e-13 * abs(value)
 
 
+@pytest.mark.sweep
 def test_light_damping_is_that_of_perturbation():
     """λ = iω − xᵀCx/2, xᵀ ∂D/∂s² x = 1."""
     c = 1e-6
@@ -223,6 +227,7 @@ def test_a_damper_that_drives_makes_modes_grow_without_end_and_some_are_shown():
     assert scene.modal.stability.kind == "unstable"
 
 
+@pytest.mark.sweep
 def test_equal_members_side_by_side_have_each_root_twice():
     piece = Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0)
     system = FactoredSystem(2, dampers=[(0.4, {0: 1.0}), (0.4, {1: 1.0})],
@@ -242,6 +247,7 @@ def test_a_piece_held_at_both_ends_swings_by_itself():
         assert mode.eigenvalue == pytest.approx(complex(-0.1, math.sqrt((n * math.pi) ** 2 - 0.01)), rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_damping_below_rounding_is_not_lost_and_what_rests_is_not_damped():
     piece = Piece(1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0)
     halves = FactoredSystem(1, dampers=[(1e-18, {0: 1.0})], pieces=[member(piece, {}, {0: 1.0}),
@@ -273,6 +279,7 @@ def test_gyroscopic_terms_and_a_damper_beside_a_bar():
         -0.124744261031225 + 12.9664673858409j], rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_loads_that_turn_velocities_couple_and_damp_nothing():
     """A disc at the end of a stretching cantilever under (−b ẏ, b ẋ): det [D(iω) + iω b J] = 0 of its x and y."""
     scene = problem("""
@@ -297,6 +304,7 @@ def test_loads_that_turn_velocities_couple_and_damp_nothing():
         assert float(mpmath.findroot(determinant, mode.omega_d)) == pytest.approx(mode.omega_d, rel=1e-11)
 
 
+@pytest.mark.sweep
 def test_rounding_in_a_mode_all_of_whose_nodes_rest_is_no_damping():
     found = problem("""
         beams: {w: {length: 1 m, EI: 100 N*m^2, mass_per_length: 1 kg/m, left: clamped, attached: [

@@ -27,6 +27,7 @@ def strings():
     return problem(STRINGS)
 
 
+@pytest.mark.sweep
 def test_each_part_has_its_own(strings):
     """λ = −c/2μ ± i √(ω² − (c/2μ)²) of the one with drag, ± iω twice, ω = 100 nπ, and ± i √(k/m)."""
     known = [1j * np.sqrt(250.0), *(1j * 100 * n * np.pi for n in (1, 1, 2, 2))]
@@ -35,6 +36,7 @@ def test_each_part_has_its_own(strings):
     assert found == pytest.approx(sorted(known, key=lambda s: (round(abs(s), 6), -s.real)), rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_as_many_as_are_counted_move_by_themselves(strings):
     damped = strings.modal.damped
     damped.first(7)
@@ -85,11 +87,13 @@ def within(gap):
     return [root.value for root in roots]
 
 
+@pytest.mark.sweep
 def test_places_next_to_each_other_are_nearly_one():
     for a, b, c in zip(*map(within, ("0 m", "1e-5 m", "1e-3 m")), strict=True):
         assert b - a == pytest.approx((c - a) * 1e-2, rel=0.05, abs=1e-9 * abs(a))
 
 
+@pytest.mark.sweep
 def test_what_is_missed_is_looked_for_in_gaps(monkeypatch):
     """A free shaft with a damper at 2/5 of it: waves pass its parts in 2 and 3 fifths of a time L/c₀, so that its roots
     repeat themselves, five by five, at Im λ + 5π c₀/L."""

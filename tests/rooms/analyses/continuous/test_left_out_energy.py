@@ -90,6 +90,7 @@ TIMES = np.linspace(0.0, 0.6, 25)
 pytestmark = pytest.mark.usefixtures("modes_found_once")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", SCENES)
 def test_what_is_left_out_is_bounded_and_not_by_far_more_than_it_is(kind):
     text, begins = SCENES[kind]
@@ -106,6 +107,7 @@ def test_what_is_left_out_is_bounded_and_not_by_far_more_than_it_is(kind):
         assert left.max() <= 100 * off.max()
 
 
+@pytest.mark.sweep
 def test_a_damped_bar_is_as_far_from_its_waves_as_is_told():
     scene = problem("""
 parameters: {L: 1 m, E: 1 Pa, A: 1 m^2, rho: 1 kg/m^3}
@@ -119,6 +121,7 @@ forces: {push: {at: end, force: 1 N*step(t)}}
     assert off.max() <= motion.bound(output, 4.2) <= 10 * off.max()
 
 
+@pytest.mark.sweep
 def test_what_energies_do_not_bound_is_refused_with_a_reason():
     """As an acceleration after a step is; it ended in a TypeError."""
     motion = DampedModalResponse(problem(SCENES["step"][0])).motion(FEW)
@@ -162,6 +165,7 @@ def test_energies_of_modes_are_those_of_their_fields(c, drag):
     assert np.abs(off).max() <= 1e-6 * np.abs(wanted).max()
 
 
+@pytest.mark.sweep
 def test_what_is_left_out_fades_as_drag_of_all_does():
     motion = DampedModalResponse(problem(SCENES["dragged unevenly"][0])).motion(FEW)
     output = LinearOutput(places={ASIDE: 1.0})

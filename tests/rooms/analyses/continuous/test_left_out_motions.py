@@ -9,7 +9,7 @@ import pytest
 from support.modes_found_once import modes_found_once  # noqa: F401
 from support.scenes import problem
 
-from vibcli.analyses.continuous.left_out_motions import AT_ONCE, MOVED, UNFIT
+from vibcli.analyses.continuous.left_out_causes import AT_ONCE, IN_FIELD, MOVED, PACE, TOO_SUDDEN, UNFIT
 from vibcli.analyses.excitation.linear_output import FieldPoint, LinearOutput
 from vibcli.results.damped_modal_response import DampedModalResponse
 
@@ -70,6 +70,7 @@ def _expected(x, bent, t):
     return _summed(b, own, t) + (np.sin(np.outer(t, n**2)) * still).sum(axis=1)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("force", "place", "x", "bent"), [
     (STEP, FieldPoint(2, 0.0, 2), 0.5, True), (STEP, FieldPoint(2, 0.2, 2), 0.7, True),
     (BLOW, FieldPoint(1, 0.0), 0.3, False), (BLOW, FieldPoint(2, 0.1), 0.6, False)])
@@ -82,6 +83,7 @@ def test_a_moment_after_a_step_and_a_displacement_after_a_blow(force, place, x, 
     assert motion.bound(output, 0.3) <= share * off.max()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("along", [2, 3])
 def test_moments_and_shears_after_a_start_in_a_field(along):
     """û = (s u₀ + c G(x, ½) π⁴/(1 + s c G(½, ½)))/(s² + π⁴) of u₀ = sin πx; u‴ by u″ left and right of x."""
@@ -96,12 +98,14 @@ def test_moments_and_shears_after_a_start_in_a_field(along):
     assert off.max() <= motion.bound(output, 0.3) <= 8 * off.max()
 
 
+@pytest.mark.sweep
 def test_a_field_that_does_not_fit_an_end_leaves_moments_estimated():
     text = BEAM[:BEAM.index("forces:")] + "initial: {arm.u: 1 m*x*(L - x)/L^2}\n"
     motion, output = DampedModalResponse(problem(text)).motion(8), LinearOutput(places={FieldPoint(1, 0.2, 2): 1.0})
     assert motion.is_estimated(output) and motion.modes.disturbed(motion.forcing.pieces).reason(output) == UNFIT
 
 
+@pytest.mark.sweep
 def test_shears_after_steps_and_slopes_after_blows_are_estimated():
     motions = [DampedModalResponse(problem(BEAM % force)).motion(8) for force in (STEP, BLOW)]
     for motion, place in zip(motions, (FieldPoint(2, 0.1, 3), FieldPoint(2, 0.1, 1)), strict=True):
@@ -109,6 +113,7 @@ def test_shears_after_steps_and_slopes_after_blows_are_estimated():
         assert motion.is_estimated(output) and motion.modes.disturbed(motion.forcing.pieces).reason(output) == AT_ONCE
 
 
+@pytest.mark.sweep
 def test_displacements_after_a_clamp_turns_at_once_are_bounded_and_forces_are_not():
     motion = DampedModalResponse(problem(SHAKEN % "turn: 0.01*step(t)")).motion(8)
     more = DampedModalResponse(problem(SHAKEN % "turn: 0.01*step(t)")).motion(64)
@@ -119,8 +124,47 @@ def test_displacements_after_a_clamp_turns_at_once_are_bounded_and_forces_are_no
     assert motion.is_estimated(bent) and motion.modes.disturbed(motion.forcing.pieces).reason(bent) == MOVED
 
 
+@pytest.mark.sweep
 def test_a_driven_end_that_jumps_is_estimated():
     pinned = SHAKEN.replace("clamped: hand", "pinned: hand").replace("attached", "right: pinned, attached")
     motion = DampedModalResponse(problem(pinned % "slide: 1 cm*step(t)")).motion(8)
     output = LinearOutput(places={FieldPoint(1, 0.3): 1.0})
     assert motion.is_estimated(output) and motion.modes.disturbed(motion.forcing.pieces).reason(output) == MOVED
+
+
+FITS, UNFITTING = "1 m*sin(pi*x/L)", "1 m*x*(L - x)/L^2"
+SUDDEN, SMOOTH = "1 N*step(t)", "1 N*(t/(1 s))^4"
+SHEAR, MOMENT = FieldPoint(2, 0.1, 3), FieldPoint(2, 0.1, 2)
+
+
+@pytest.mark.parametrize(("force", "field", "place", "reason"), [
+    (SUDDEN, None, SHEAR, AT_ONCE), (SMOOTH, UNFITTING, SHEAR, UNFIT),
+    (SUDDEN, UNFITTING, SHEAR, f"{UNFIT}, and {AT_ONCE}"),
+    (SUDDEN, FITS, SHEAR, AT_ONCE), (SUDDEN, UNFITTING, MOMENT, UNFIT), (SMOOTH, FITS, SHEAR, None),
+    ("1 N*s*impulse(t)", UNFITTING, MOMENT, f"{UNFIT}, and {AT_ONCE}"),
+    (SMOOTH, FITS, MOMENT._replace(rates=1), IN_FIELD),
+    (SUDDEN, FITS, MOMENT._replace(rates=1), f"{IN_FIELD}, and {AT_ONCE}"),
+    ("1 N*sin(800*t/(1 s))", UNFITTING, MOMENT, f"{UNFIT}, and {PACE}")])
+def test_each_cause_alone_and_both_together_are_told(force, field, place, reason):
+    start = "" if field is None else f"initial: {{arm.u: {field}}}\n"
+    assert told(BEAM % force + start, place) == reason
+
+
+def told(text, read):
+    output = read if isinstance(read, LinearOutput) else LinearOutput(places={read: 1.0})
+    motion = DampedModalResponse(problem(text)).motion(8)
+    return motion.modes.disturbed(motion.forcing.pieces).reason(output) if motion.is_estimated(output) else None
+
+
+@pytest.mark.parametrize(("drive", "force", "reason"), [
+    ("0.01*step(t)", "0 N", MOVED), ("0.01*(1 - cos(9*t/(1 s)))^3", "1 N*s*impulse(t)", AT_ONCE),
+    ("0.01*step(t)", "1 N*s*impulse(t)", f"{MOVED}, and {AT_ONCE}"), ("0.01*(1 - cos(9*t/(1 s)))^3", "0 N", None)])
+def test_a_clamp_that_turns_at_once_and_a_blow(drive, force, reason):
+    text = SHAKEN % f"turn: {drive}" + "points: {aside: {body: arm, at: L/4}}\n"
+    assert told(text + f"forces: {{push: {{at: aside, force: {force}}}}}\n", FieldPoint(2, 0.3, 2)) == reason
+
+
+@pytest.mark.parametrize(("force", "reason"), [(STEP, None), (BLOW, TOO_SUDDEN)])
+def test_a_blow_on_a_mass_is_too_sudden_for_its_acceleration(force, reason):
+    text = BEAM.replace("attached: [", "attached: [{at: 0.3*L, mass: 1 kg}, ") % force
+    assert told(text, LinearOutput(a={1: 1.0})) == reason

@@ -45,6 +45,7 @@ def test_a_foundation_moves_every_square_alike(ends):
     assert found == pytest.approx(squares + 11.0 / 0.7, rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_a_very_stiff_beam_is_a_rigid_body():
     size, inertia, k = 2.0, 3.0, 5.0
     beam = Piece(size, 1e14, 0.0, 0.0, inertia, 0.0, 0.0)
@@ -113,6 +114,7 @@ def test_high_modes_of_a_chain_keep_their_bounds_wherever_it_is_divided(size, in
         assert abs(mode.omega / exact - 1) <= mode.error < 1e-14
 
 
+@pytest.mark.sweep
 def test_a_hanging_chain_has_the_zeros_of_bessel():
     chain = Piece(1.7, 0.0, 2.3 * 9.81 * 1.7, -2.3 * 9.81, 2.3, 0.0, 0.0)
     found = frequencies(FactoredSystem(1, pieces=[placed(chain, {}, {0: 1.0})]), 6)
@@ -120,6 +122,7 @@ def test_a_hanging_chain_has_the_zeros_of_bessel():
     assert found == pytest.approx(exact, rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_a_chain_counted_from_its_free_end_hangs_as_well():
     """Whose tension is 0 at x = 0."""
     chain = Piece(1.7, 0.0, 0.0, 2.3 * 9.81, 2.3, 0.0, 0.0)

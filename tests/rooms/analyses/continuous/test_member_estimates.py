@@ -29,6 +29,7 @@ def estimates(text):
     return problem(text).modal.result("estimates")
 
 
+@pytest.mark.sweep
 def test_a_cantilever():
     """Static deflection of a cantilever under its weight: ω² = 162/13 EI/(μL⁴); Σ 1/ω_n² = μL⁴/(12 EI)."""
     found = estimates(BEAM % "left: clamped")
@@ -56,6 +57,7 @@ def test_a_bar_counts_a_third_at_its_end():
     assert found.dunkerley == pytest.approx(sqrt(1 / (3 * 4 / 2 / 800 + 5 * 2 / 800)), rel=1e-12)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text, order", [(BEAM % "left: clamped", 4), (BAR % "left: clamped", 2)])
 def test_elements_converge_from_above(text, order):
     """Errors of cubic elements fall with h⁴, of linear ones with h²."""
@@ -70,6 +72,7 @@ def test_what_holds_nothing_is_refused():
         estimates(BAR % "right: free")
 
 
+@pytest.mark.sweep
 def test_a_hanging_chain_has_a_free_end():
     """A straight line hung at its top: ω² = 3g/(2L); Σ 1/ω_n² = L/g, as the zeros of J₀ have Σ 1/j² = 1/4."""
     found = estimates("parameters: {L: 1.2 m, mu: 0.4 kg/m, g: 9.81 m/s^2}\ngravity: g\n"
@@ -79,6 +82,7 @@ def test_a_hanging_chain_has_a_free_end():
     assert found.dunkerley < found.omega < found.rayleigh
 
 
+@pytest.mark.sweep
 def test_what_does_not_turn_and_what_two_shapes_do_not_share_is_zero():
     """By half sines of a hinged beam: 5 w L⁴/384 + F L³/48 over w L³/24 + F L²/16, F = wL/2; K = π⁴n⁴EI/(2L³)."""
     found = problem("""\
@@ -95,6 +99,7 @@ def test_what_does_not_turn_and_what_two_shapes_do_not_share_is_zero():
     assert [K[0][0], K[1][1]] == pytest.approx([pi**4 * 100 / 16, 81 * pi**4 * 100 / 16], rel=1e-15)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("scene", "rayleigh", "dunkerley"), [
     (EVEN_BEAM % "", 300 / 32 * 162 / 13, 12 * 300 / 32), (EVEN_BAR % "", 40e3 / 8 * 2.5, 2 * 40e3 / 8),
     (EVEN_STRING % "", 300 / 8 * 10, 6 * 300 / 8)])
@@ -128,6 +133,7 @@ def test_bounds_beside_a_tension_and_a_foundation():
     assert bound(scene, "rayleigh")[0] == pytest.approx(31.5112260852724, rel=1e-12)     # by finite elements
 
 
+@pytest.mark.sweep
 def test_what_follows_one_coordinate_does_so_with_its_bed_and_its_tension():
     """Against static condensation of 64 finite elements."""
     found = problem(BEAM % "left: clamped, foundation: 30 kN/m^2, preload: 200 N")

@@ -56,6 +56,7 @@ def cantilever(index):
     return shape(top) / shape(1), 0.6 * top, [0.6 * x for x in nodes]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("index", [1, 2, 3])
 def test_the_largest_displacement_of_a_member_is_one(index, capsys, tmp_path):
     path = tmp_path / "wing.yaml"
@@ -84,6 +85,7 @@ def test_a_scene_without_coordinates_has_modes():
     assert value(scene, "stable") is True
 
 
+@pytest.mark.sweep
 def test_a_member_that_rests_in_a_mode_is_told_with_all_its_digits():
     """Two bars with a mass amid, tied there: in mode 3 one moves and the other rests."""
     halves = ("length: L, EA: 4 MN, mass_per_length: 2 kg/m, left: clamped, right: clamped, "
@@ -98,6 +100,7 @@ def test_a_member_that_rests_in_a_mode_is_told_with_all_its_digits():
     assert [value(scene, f"omega[{i}]") for i in (3, 4)] == pytest.approx([pi * sqrt(2e6)] * 2, rel=1e-14)
 
 
+@pytest.mark.sweep
 def test_shapes_along_members_are_told_apart_from_that_of_a_close_frequency():
     """Two cantilevers alike, tied so weakly that shapes in floats are mixed by 2e-4: they move alike and opposed."""
     cantilever = "length: 1 m, EI: 3 N*m^2, mass_per_length: 1 kg/m, left: clamped"
@@ -119,6 +122,7 @@ def test_the_frequency_equation_leaves_dampers_out_and_says_so(further):
     assert "Frequency equation\n" in told(problem(BAR % ""), "frequency_equation")
 
 
+@pytest.mark.sweep
 def test_the_normalisation_of_damped_shapes_is_stated_by_what_is_printed():
     """No displacement along members is 1 in them, but the first or largest row."""
     scene = problem("beams: {b: {length: 2 m, EI: 300 N*m^2, mass_per_length: 2 kg/m, left: pinned, "
@@ -133,6 +137,7 @@ def test_the_normalisation_of_damped_shapes_is_stated_by_what_is_printed():
         assert all((row[0] if how == "first" else max(row)) == pytest.approx(1, rel=1e-14) for row in rows)
 
 
+@pytest.mark.sweep
 def test_a_tension_that_varies_has_no_wave_number():
     chain = "{from: [0 m, 0 m], to: [0 m, -2 m], mass_per_length: 1 kg/m, left: clamped}"
     assert "β" not in told(problem(f"gravity: 9.81 m/s^2\nstrings: {{chain: {chain}}}"), "frequencies")
@@ -148,6 +153,7 @@ def test_the_count_from_one_number_to_another():
     assert "J = 1000 just above ω₁₀₀₀: none is missing" in text
 
 
+@pytest.mark.sweep
 def test_two_alike_are_counted_together():
     text = told(problem("""
         bars:
@@ -156,6 +162,7 @@ def test_two_alike_are_counted_together():
     assert "repeated to 15 digits" in text and "J = 6 just above ω₅ ≈ ω₆: none is missing" in text
 
 
+@pytest.mark.sweep
 def test_the_first_of_some_may_be_alike_to_one_that_is_not_told():
     beam = "{length: 1 m, EI: 10 N*m^2, mass_per_length: 1 kg/m, left: clamped}"
     text = told(problem(f"beams: {{one: {beam}, two: {beam}}}\nfind: [{{modes: [2, 3]}}]"), "frequencies")
@@ -290,6 +297,7 @@ def test_an_end_at_a_name_that_is_no_point_of_the_ground_is_refused(name, tmp_pa
     assert f"strut.yaml:2:{len('beams: {strut: {from: [0, 0], to: ') + 1}: error" in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 def test_a_chain_drawn_from_its_free_end_up_moves_as_one_that_is_drawn_down():
     up, down = (problem(f"""
         gravity: 9.81 m/s^2

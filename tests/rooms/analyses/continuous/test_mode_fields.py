@@ -34,6 +34,7 @@ def member(kind, dice):
             f"attached: [{', '.join(attached)}]}}}}\n")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("seed", range(2))
 def test_further_stations_change_nothing(kind, seed):
@@ -93,6 +94,7 @@ def test_nodes_within_massless_parts_count():
     assert quantity_value(scene, "node[2][rod, 1]").value == pytest.approx(1.5, rel=1e-12)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("k", [1e-3, 1e-6, 1e-12])
 def test_shapes_of_close_frequencies_are_told_apart(k):
     """Two cantilevers that a weak spring ties, each with a weak spring of its own: beside one another K is 2 × 2."""

@@ -24,6 +24,7 @@ def frequency_equation(zeta, c):
     return value
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("zeta", "c"), [("0.02", "0.3"), ("0.3", "1.5"), ("1.3", "0.3")])
 def test_those_of_a_bar_are_the_roots_of_its_frequency_equation(zeta, c):
     modes = problem(BAR.format(zeta=zeta, c=c)).modal.damped
@@ -69,6 +70,7 @@ def test_a_free_bar_keeps_one_motion_at_rest():
     assert modes.region.count == 2 + 2 * sum(1 for one in modes.region.modes if one.omega_d)
 
 
+@pytest.mark.sweep
 def test_two_terms_of_a_series_are_proportional_damping():
     rest = BAR.replace("damping: {{modal: {zeta}}}", "damping: {damping}").replace("{{", "{").replace("}}", "}")
     rest = rest.replace("{c}", "0.3")

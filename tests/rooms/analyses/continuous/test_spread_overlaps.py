@@ -30,6 +30,7 @@ def _closed(piece, kappa):
             c[j] * integral(*scaled[j]) for j in range(len(roots))))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("bending", [0.0, 2.0])
 def test_what_a_load_bends_is_felt_by_another_as_in_closed_form(bending):
     piece = Piece(LENGTH, bending, TENSION, 0.0, 1.0, 0.0, 0.0)
@@ -57,6 +58,7 @@ def _hanging(piece, kappa):
     return piece.length / 2 * (weights * (2 + x)) @ u
 
 
+@pytest.mark.sweep
 def test_so_it_is_where_the_tension_varies_along_the_piece():
     piece, kappa = Piece(LENGTH, 0.0, TENSION, 2.5, 1.0, 0.0, 0.0), np.array([30 + 3j, -200 + 50j])
     expected = np.array([_hanging(piece, one) for one in kappa])

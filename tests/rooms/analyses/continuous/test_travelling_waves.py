@@ -9,7 +9,7 @@ import pytest
 
 from vibcli.analyses.continuous import travelling_waves_march
 from vibcli.analyses.continuous.travelling_waves import wave_motion
-from vibcli.analyses.continuous.travelling_waves_march import WavePiece
+from vibcli.analyses.continuous.travelling_waves_piece import WavePiece
 from vibcli.analyses.continuous.travelling_waves_search import extreme, stretches, zeros
 from vibcli.analyses.continuous.travelling_waves_station import NotByWaves
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
@@ -147,6 +147,7 @@ def energy(motion, t, masses):
     return total
 
 
+@pytest.mark.sweep
 def test_shaft_with_discs_keeps_its_energy_and_momentum():
     pieces = [WavePiece(1.0, 3.0, 1.0, at(0), at(1)), WavePiece(sqrt(2.0), 2.0, 0.5, at(1), at(2))]
     masses = {0: 0.8, 1: 0.3, 2: 1.1}
@@ -242,6 +243,7 @@ def by_laplace(m, M, row, load, t, rate):
     return float(total)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("m", "M", "segment", "load"), [
     (0.3, 0.4, Segment(0.0, (Wave(0, 1.0, 0, 0j),)), lambda s: 1 / s),
     (0.0, 0.0, Segment(0.0, (Wave(0, -1j, 0, 3j),)), lambda s: 3 / (s * s + 9)),
@@ -259,6 +261,7 @@ def test_two_bars_against_their_transfer_function(m, M, segment, load):
                 assert abs(found - expected) <= motion.errors(u(row), np.array([t]), rate)[0] + 1e-16
 
 
+@pytest.mark.sweep
 def test_many_reflections_stay_exact_and_too_many_are_given_up(monkeypatch):
     motion = one_bar()
     assert motion.values(u(0), np.array([200.0, 202.0])) == pytest.approx([1.0, -1.0], abs=1e-13)

@@ -42,6 +42,7 @@ def test_sums_within_a_hanging_chain_are_bounded_closely(uncounted, x):
     assert exact(x) <= reach(uncounted, x) <= 1.2 * exact(x)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("x", [LENGTH, LENGTH * (1 - 1e-9), LENGTH * (1 - 1e-5)])
 def test_next_to_an_end_without_tension_no_sum_is_told(uncounted, x):
     assert reach(uncounted, x) == math.inf

@@ -25,6 +25,7 @@ def of_few(load):
     return response
 
 
+@pytest.mark.sweep
 def test_a_push_along_adds_nothing_to_the_bound_across():
     both, across = of_few("50 N"), of_few("0 N")
     at, found = np.array([0.2, 0.7]), []

@@ -371,6 +371,7 @@ def test_second_rates_of_records():
         forcing_of({0: gradient(gradient(node)[time])[time]}, time, VALUES)
 
 
+@pytest.mark.sweep
 def test_a_long_record():
     """As many pieces as samples."""
     generator = random.Random(5)

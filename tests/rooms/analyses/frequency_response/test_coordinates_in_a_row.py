@@ -46,6 +46,7 @@ def exact(system, Omega):
         return found
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", ["dampers", "masses", "gyroscopic"])
 @pytest.mark.parametrize(("driven", "seen"), [(0, 23), (23, 0), (9, 17), (21, 4), (13, 13)])
 def test_values_and_slopes_lie_within_their_bounds(kind, driven, seen):

@@ -61,6 +61,7 @@ def zeros_of_elements(place, dampers, turning):
     return found[(found.imag > 1) & (found.imag < HIGH)]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("dampers", "turning"), [
     ((0.0, 0.0, 0.0), 30.0), ((0.3, 9.0, 0.0), 0.0), ((40.0, 2.0, 0.0), 30.0)], ids=["gyroscopic", "damped", "both"])
 def test_none_is_missing_beside_the_axis(dampers, turning):
@@ -84,6 +85,7 @@ RATED = """\
     """
 
 
+@pytest.mark.sweep
 def test_poles_beside_ratios_and_dampers_are_counted():
     """As damped modes where these are told, and else by det(1 + s C H₀)."""
     told = problem(RATED % "modal: [1 %, 2 %]").frequency_response("arm.u(L)", "f").transfer

@@ -136,6 +136,7 @@ def coupled(rng, n, kind):
     return TransferFunction(M, C, (K + K.T) / 2, unit(n, 0) * 3.0, unit(n, n - 1) + unit(n, 1, 1))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", ["full", "twice", "critical"])
 def test_modes_with_one_residual_against_fifty_digits(kind):
     """As near as LU, where damping couples the modes; |δH| within what is told of the rounding of each value."""
@@ -588,6 +589,7 @@ def test_modes_of_one_frequency_are_one_resonance_and_no_antiresonance_there(ang
     assert antiresonances(found[1]) == [] == antiresonances(found[2])
 
 
+@pytest.mark.sweep
 def test_an_antiresonance_may_have_the_frequency_of_a_mode_that_takes_no_part():
     """A machine with two equal absorbers, which also swing against each other as it rests; a string driven in the
     middle, where its second mode rests."""

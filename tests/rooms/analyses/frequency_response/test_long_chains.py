@@ -34,6 +34,7 @@ def test_every_peak_of_a_chain_with_weak_dampers(c):
     assert [one.Omega for one in peaks(chain(40, c))] == pytest.approx(frequencies(40), rel=1e-4)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("output", "driven"), [(42, 119), (119, 42), (60, 60)])
 def test_every_antiresonance_of_what_is_cut_off(output, driven):
     """H vanishes where what is left of the way from the input to the output vibrates by itself: j masses between two
@@ -59,6 +60,7 @@ def test_what_the_input_does_not_reach_has_no_peaks():
     assert extremes(apart) == []
 
 
+@pytest.mark.sweep
 def test_zeros_of_a_long_chain_are_sought_amid_its_frequencies():
     """Far above them H is no float any more, and the eigenvalue problem for zeros none."""
     assert len(peaks(chain(200, 0.0632, output=63))) > 90

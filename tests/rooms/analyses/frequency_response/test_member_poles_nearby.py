@@ -56,6 +56,7 @@ def rounded(transfer, Omega):
     return np.einsum("i,kij,kjl,kl->k", np.abs(row), np.abs(inverse), np.abs(D), np.abs(inverse @ row))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("c", [0, 2**-20, 3])
 def test_stepped_beam_with_attachments(c):
     scene = problem(STEPPED % (f", {{at: 0.75 m, c: {c} N*s/m}}" if c else ""))
@@ -69,6 +70,7 @@ def test_stepped_beam_with_attachments(c):
             assert abs(value - tip(mpmath.mpc(0, Omega), c)) <= 4 * EPS * size, Omega
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("k", ["1e-11", "1e-7", "0.001", "40"])
 def test_modes_next_to_each_other(k):
     """Two cantilevers whose tips a spring ties: H = (G + 1/(1/G + 2k))/2, G that of one alone."""
@@ -91,6 +93,7 @@ def test_modes_next_to_each_other(k):
             assert abs(value - (alone + 1 / (1 / alone + 2 * mpmath.mpf(k))) / 2) <= 10 * EPS * size, Omega
 
 
+@pytest.mark.sweep
 def test_poles_of_a_scene_are_found_once_for_all_that_it_answers(monkeypatch):
     def transfer(scene, signal):
         return scene.frequency_response(signal, "drive").transfer

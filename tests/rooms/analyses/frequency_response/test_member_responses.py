@@ -236,6 +236,7 @@ def test_a_stepped_beam_against_finite_elements():
         assert frf(found, Omega) == pytest.approx(finite_elements(Omega), rel=1e-6)
 
 
+@pytest.mark.sweep
 def test_points_by_elimination_without_exchanges_are_those_of_LU():
     """Many frequencies, through those at which pieces or parts of the beam resonate by themselves."""
     transfer = curve(TWO, "arm.moment(0.2 m)", "at_two").transfer
@@ -247,6 +248,7 @@ def test_points_by_elimination_without_exchanges_are_those_of_LU():
         assert np.abs(one / two - 1).max() < 1e-9
 
 
+@pytest.mark.sweep
 def test_zeros_beside_a_damper_at_the_driven_end_are_those_of_the_bar_held_there():
     scene = """
 parameters: {L: 0.8 m, EA: 4 kN, mu: 0.6 kg/m}
@@ -261,6 +263,7 @@ forces: {shaker: {at: end, force: 1 N*cos(300 rad/s*t)}}
         assert abs(Omega - exact) <= curve.error_of_antiresonance(Omega) + 1e-15 * exact < 1e-12 * exact
 
 
+@pytest.mark.sweep
 def test_a_pole_that_turning_forces_alone_make():
     """Two free bars of one wave resistance, a mass at an end of each, pushed across what the other does: x and y turn
     about a rest that neither has without these forces, m ω + √(EAμ) tan ωL/c = h."""
@@ -279,6 +282,7 @@ def test_a_pole_that_turning_forces_alone_make():
     assert found.transfer.at(np.array([first.imag * 1j]))[2].all()
 
 
+@pytest.mark.sweep
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("text", [TRUSS, TRUSS.split("dampers")[0]], ids=["damped", "undamped"])
 def test_what_symmetry_leaves_at_rest_has_no_peaks(text):

@@ -57,6 +57,7 @@ def test_the_rounding_of_a_place_is_part_of_the_error(x):
         assert error < 1e-3
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("x", ["5.99999999", "6.0000001", "5.99999"])
 def test_motions_in_time_next_to_a_station_are_those_there(x):
     scene = problem(BEAM % "")

@@ -30,6 +30,7 @@ def curve(text, signal, driver):
     return problem(text).frequency_response(signal, driver).transfer
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("drag", [0.0, 4.0])
 @pytest.mark.parametrize("parts", ["", ", attached: [{at: 0.3 m, k: 0 N/m}, {at: 1.1 m, k: 0 N/m}]"])
 def test_a_sine_on_pins_leaves_a_sine(drag, parts):
@@ -70,6 +71,7 @@ def loaded(Omega, number=complex):
                 number(EI * sum(v * c for v, c in zip(row(0, 2), found[:4], strict=True)))]
 
 
+@pytest.mark.sweep
 def test_a_load_on_a_part_of_a_cantilever():
     for index, signal in enumerate(("arm.u(L)", "arm.moment(0 m)")):
         found = curve(CANTILEVER, signal, "drive")
@@ -82,6 +84,7 @@ def test_a_load_on_a_part_of_a_cantilever():
             assert near[0] * near[1] < 0
 
 
+@pytest.mark.sweep
 def test_zeros_are_looked_for_in_a_few_intervals_at_a_time(monkeypatch):
     """Of many poles no more points are kept than of a few."""
     at_once = curve(CANTILEVER, "arm.moment(0 m)", "drive").zeros(0.0, 1e4)
@@ -115,6 +118,7 @@ def test_a_load_along_a_light_piece_is_an_input_too():
     assert frf(found, np.array([7.0])) == pytest.approx(work / (375 - 4 * 49), rel=1e-12)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("inertia", ["", ", mass_per_length: 3 kg/m"])
 def test_a_steady_load_is_an_input_of_its_form(inertia):
     """Along what vibrates and what is light, even and uneven: as what varies in its place; at rest ∫ f (6x² − x³) dx

@@ -118,6 +118,7 @@ def graded(dice, n, condition):
     return 10 ** dice.uniform(-6, 6, n)[:, None] * (u * np.geomspace(1, 1 / condition, n)) @ v
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("known", [1.0, 1e3])
 @pytest.mark.parametrize("condition", [1.0, 1e2, 1e4])
 def test_singular_values_of_a_factor_that_is_known_so_well(known, condition, monkeypatch):

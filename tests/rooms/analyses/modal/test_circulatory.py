@@ -81,6 +81,7 @@ def test_damped_pushed_and_spun_under_follower_forces(follow):
     assert swept >= 70
 
 
+@pytest.mark.sweep
 def test_massless_nodes_are_dragged_or_follow():
     for seed in range(25):
         rng = random.Random(seed)
@@ -96,6 +97,7 @@ def test_massless_nodes_are_dragged_or_follow():
             assert residual(elements, mode, value) <= 1e-13 * size
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", NATURAL)
 def test_shapes_satisfy_the_equations_and_balance_the_work(family):
     """With xᴴMx = 1: λ² = −xᴴKx, whose imaginary part is the work that the skew part of K does in a cycle."""
@@ -112,6 +114,7 @@ def test_shapes_satisfy_the_equations_and_balance_the_work(family):
             assert mode.kind == "flutter" or not any(z.imag for z in mode.shape.tolist())
 
 
+@pytest.mark.sweep
 def test_sums_of_eigenvalues():
     """Σ λ = −tr M⁻¹C and Σ λ² = tr (M⁻¹C)² − 2 tr M⁻¹K, over both of each conjugate pair."""
     for seed in range(20):
@@ -142,6 +145,7 @@ def test_the_edge_of_flutter_is_decided_exactly():
     assert modes[0].growth_rate == pytest.approx(1e-20 / math.sqrt(6), rel=1e-15)
 
 
+@pytest.mark.sweep
 def test_what_rounding_leaves_open_next_to_flutter_is_in_the_bound():
     """Sums with rounding: their eigenvalues move by its root, and the bound says so."""
     swept = 0
@@ -176,6 +180,7 @@ def test_many_digits():
         assert [mpmath.nstr(mode.omega, 20) for mode in double] == ["1.2247448713915890491"] * 2
 
 
+@pytest.mark.sweep
 def test_rigid_motions_under_follower_forces():
     """A free rod of two masses with a thrust along it: K is nilpotent, and the turn pushes the translation."""
     thrust = natural_modes(FactoredSystem(2, unit_masses(2), K={(0, 1): 1.0}))
@@ -239,6 +244,7 @@ def test_spun_under_follower_forces_what_decays_is_listed_too():
     assert "decays as exp(−" in mode_row(modes[1])[-1]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("size", (1e-3, 1.0))
 def test_many_coordinates_in_floats_stay_within_their_bounds(size, monkeypatch):
     rng = random.Random(7)

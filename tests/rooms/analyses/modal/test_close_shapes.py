@@ -33,6 +33,7 @@ def test_those_of_one_frequency_stay_as_they_are():
     assert modal.told_apart(modal.modes[0]) is modal.modes[0]
 
 
+@pytest.mark.sweep
 def test_those_of_members_whose_data_have_no_more_digits_stay_in_floats(monkeypatch):
     """As where a search finds a tension."""
     def refused(*_):

@@ -39,6 +39,7 @@ def free_gyroscopic(rng, n, ratio, size):
 FAMILIES = (families.damped_chain, free_damped, families.gyroscopic, free_gyroscopic, families.rotor)
 
 
+@pytest.mark.sweep
 def test_exact_roots_are_those_of_the_qr_algorithm():
     """The reference of these tests; where roots are double it gives none."""
     for family in FAMILIES:
@@ -122,6 +123,7 @@ def test_anything_at_all():
     assert swept >= 300
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", FAMILIES)
 def test_shapes_satisfy_the_equations(family):
     for elements in sampled(family, 12, 6):
@@ -135,6 +137,7 @@ def test_shapes_satisfy_the_equations(family):
             assert mpmath.norm(residual) <= 1e-14 * size * mpmath.norm(x)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", (families.gyroscopic, free_gyroscopic))
 def test_conservative_gyroscopic_systems_neither_grow_nor_decay(family):
     for elements in sampled(family, 40, 8):
@@ -267,6 +270,7 @@ def rescaled(elements, mass, time):
     return FactoredSystem(elements.n, inertias, springs, dampers)
 
 
+@pytest.mark.sweep
 def test_units_change_no_bit_and_the_order_of_coordinates_none_that_counts():
     for seed in range(25):
         rng = random.Random(seed)
@@ -329,6 +333,7 @@ def test_what_has_no_eigenvalues_is_refused_with_its_cause():
         damped(oscillator(1e-300, 1e200, 1.0))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", FAMILIES)
 def test_many_coordinates_stay_within_their_bounds(family, monkeypatch):
     elements = family(random.Random(9), 41, 10.0, 1e-2)

@@ -4,7 +4,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from vibcli.analyses.modal.damped import EXACT, GOAL, WANTED, CertifiedEigenvalues, damped
+from vibcli.analyses.modal.certified_eigenvalues import CertifiedEigenvalues
+from vibcli.analyses.modal.damped import EXACT, GOAL, WANTED, damped
 from vibcli.analyses.modal.damped_large import damped_floats
 from vibcli.analyses.modal.damped_modes import collected
 from vibcli.analyses.modal.mode_numbers import NearestFloats
@@ -92,6 +93,7 @@ def _by_newton(elements, mode):
     return rate
 
 
+@pytest.mark.sweep
 def test_what_is_left_of_heavily_damped_modes_is_rounding():
     n = 84
     text = "bodies:\n" + "".join(f"  b{i}: {{mass: {1 + i % 3} kg, slide: x{i}}}\n" for i in range(1, n + 1))
@@ -104,6 +106,7 @@ def test_what_is_left_of_heavily_damped_modes_is_rounding():
     assert certificate(problem)["damped modes"] <= ROUNDING
 
 
+@pytest.mark.sweep
 def test_weak_damping_of_many_coordinates_is_known_to_its_own_digits():
     """A row of equal masses and springs, in which c at one mass damps mode i by c φ²/(2 ω φᵀφ) up to squares of c;
     floats know Re λ to the rounding of |λ| alone."""

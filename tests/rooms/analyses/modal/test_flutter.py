@@ -93,6 +93,7 @@ def test_binary_flutter_and_divergence_of_an_aerofoil():
     assert [mode.kind for mode in natural_modes(aerofoil(7.0))] == ["divergence", "oscillation"]
 
 
+@pytest.mark.sweep
 def test_dampers_that_push():
     one = [(1.0, {0: 1.0})]
     mode, = damped(FactoredSystem(1, one, [(1.0, {0: 1.0})], [(-0.5, {0: 1.0})]))

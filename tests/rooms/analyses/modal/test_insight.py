@@ -212,6 +212,7 @@ def test_estimates_of_lengths_and_angles_together():
         assert found.deflection["y"] == pytest.approx(deflection[0] / max(deflection, key=abs), rel=1e-13)
 
 
+@pytest.mark.sweep
 def test_scaling_of_units():
     """Other units of mass and time: Σ over masses and stiffnesses is 0, over stiffnesses and g ½."""
     values, rest = SCENES["rod on a sagging mass, preload and damper"]

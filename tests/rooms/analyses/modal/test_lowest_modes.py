@@ -149,6 +149,7 @@ def test_the_command_tells_the_lowest_and_their_count(tmp_path, capsys):
     assert abs(told["modes"][2]["omega"] / closed_form(3) - 1) < 1e-13
 
 
+@pytest.mark.sweep
 def test_up_to_a_frequency(held):
     modes = held._problem.modal.modes
     reach = (closed_form(7) + closed_form(8)) / 2
@@ -158,6 +159,7 @@ def test_up_to_a_frequency(held):
         list(modes)
 
 
+@pytest.mark.sweep
 def test_slices_agree_with_dense_matrices():
     """The same scene of few coordinates, by both ways."""
     n = 150

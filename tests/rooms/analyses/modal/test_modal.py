@@ -51,6 +51,7 @@ def sampled(family, count, largest):
         yield family(rng, rng.randrange(3, largest + 1), 10 ** rng.uniform(0, 20))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", families.UNDAMPED)
 def test_every_frequency_to_the_last_digit_within_its_bound(family):
     ratios, swept = [], 0
@@ -109,6 +110,7 @@ def test_shapes_are_orthonormal_and_satisfy_the_equations(family):
                 assert abs(residual[i]) <= 1e-14 * size * max(abs(x) for x in exact[:, j])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", families.ONE_AXIS)
 def test_shapes_of_separated_modes(family):
     for elements in sampled(family, 6, 6):
@@ -239,6 +241,7 @@ class CancellingRow(Cancelling):
             return FactoredSystem(self.n, inertias, K=k, K_size=size)
 
 
+@pytest.mark.sweep
 def test_forty_preloaded_coordinates_have_as_many_unstable_modes_as_k_has_negative_eigenvalues():
     row = CancellingRow()
     honest = undamped(row.floats())
@@ -268,6 +271,7 @@ def rescaled(elements, a, b, c):
     return FactoredSystem(elements.n, inertias, springs)
 
 
+@pytest.mark.sweep
 def test_units_change_no_bit():
     for seed in range(40):
         rng = random.Random(seed)
@@ -365,6 +369,7 @@ def test_many_masses_in_a_row():
         assert abs(modes[j].omega - exact) <= modes[j].error * exact <= 1e-10 * exact
 
 
+@pytest.mark.sweep
 def test_small_systems_import_neither_scipy_nor_mpmath():
     code = ("import sys; from vibcli.analyses.modal.undamped import undamped\n"
             "from vibcli.analyses.modal.damped import damped\n"
@@ -376,6 +381,7 @@ def test_small_systems_import_neither_scipy_nor_mpmath():
     subprocess.run([sys.executable, "-c", code], check=True, env=os.environ)
 
 
+@pytest.mark.sweep
 def test_large_stiff_systems_keep_their_soft_modes_by_lapack(monkeypatch):
     elements = families.chain(random.Random(8), 44, 1e18)
     exact = undamped_enclosed(elements, monkeypatch)

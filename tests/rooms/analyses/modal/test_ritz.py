@@ -154,6 +154,7 @@ def test_where_the_minimax_principle_does_not_hold_they_are_refused():
         estimates(follower, [[1.0] * len(follower.scene.q)])
 
 
+@pytest.mark.sweep
 def test_of_many_coordinates_they_are_refused_before_anything_is_computed():
     names = [f"x{i}" for i in range(1, 301)]
     text = "\n".join(["bodies:", *(f"  b{q}: {{mass: 1, slide: {q}}}" for q in names), "springs:",
@@ -204,6 +205,7 @@ def test_in_letters_numbers_are_missing_and_set_gives_them(tmp_path, capsys):
                                "shape": {"x": pytest.approx(0.5**0.5, rel=1e-15)}, "weights": None}]
 
 
+@pytest.mark.sweep
 def test_answers_and_conditions_ask_for_them(tmp_path, capsys):
     path = tmp_path / "scene.yaml"
     shaft = SHAFT + "find: [{ritz: {shapes: [{a: 1, b: 2, c: 3}]}}]\nanswers: "

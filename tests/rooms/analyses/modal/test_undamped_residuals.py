@@ -74,6 +74,7 @@ def test_both_ways_agree_within_their_bounds(case, n):
         assert min(abs(one - other).max(), abs(one + other).max()) <= 1e-9 * abs(other).max()
 
 
+@pytest.mark.sweep
 def test_repeated_frequencies_keep_a_bound_that_holds():
     n = 60
     elements = FactoredSystem(n, [(1.0, {i: 1.0}) for i in range(n)],

@@ -52,6 +52,7 @@ def test_only_the_largest_is_looked_for_alone(scene, signal, most, monkeypatch):
     assert asked == [most]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("amplitude", ["3", "3.1415", "3.1415926", "3.1415926535"])
 def test_next_to_the_top(amplitude):
     """ω = π √(g/L)/(2 K(m)), m = sin² ½A; the bound counts how well a float knows the amplitude."""

@@ -122,6 +122,7 @@ def test_where_motions_are_small_by_themselves_an_accuracy_is_refused(scene, cap
     assert "does not go with --digits" in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 def test_the_scene_the_option_and_python_ask_alike(scene, capsys):
     asked = SWINGING.replace("motion: full", "motion: {accuracy: 1e-4}").replace("100 s", "20 s")
     ways = [["response", scene(asked), "--json", "--at", "20"]]
@@ -160,6 +161,7 @@ def test_of_peaks_that_are_alike_the_first_is_the_largest(asked):
         assert abs(value - sense * float(2 * mpmath.asin(k))) <= signal.error(t)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("asked", [1e-4, 1e-6])
 def test_of_many_links_what_is_asked_is_met_at_the_first_try(counts, monkeypatch, asked):
     tries, solved = [], integrate.solved

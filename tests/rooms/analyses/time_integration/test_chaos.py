@@ -96,6 +96,7 @@ def test_what_is_not_known_is_refused_by_name(scene, capsys):
     assert run(["check", scene(within)]) == 0
 
 
+@pytest.mark.sweep
 def test_extremes_that_floats_do_not_tell_are_found_in_more_digits(scene, capsys):
     """Let go beside the top a pendulum passes the lowest place at K(sin ½φ₀)/√(g/l), with √(2g/l (1 − cos φ₀))."""
     with mpmath.workdps(30):
@@ -156,6 +157,7 @@ def test_a_third_solution_lies_within_the_error_that_is_stated(text, until):
             assert off <= 30 * error + 1e-13 * np.ptp(value(found, np.linspace(0, found.end, 200))), (t, off, error)
 
 
+@pytest.mark.sweep
 def test_a_motion_whose_energies_do_not_balance_is_refused(scene, capsys, monkeypatch):
     file = scene(FAR_UP.replace("50 s", "5 s"))
     assert run(["response", file]) == 0

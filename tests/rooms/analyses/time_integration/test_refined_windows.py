@@ -102,6 +102,7 @@ def test_a_pendulum_follows_elliptic_functions(followed):
     assert followed[0] == 2
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "initial"), [(DOUBLE, {"p": 0.9, "r": -0.4}), (SPRUNG, {"x": 0.2, "phi": 1.0})])
 @pytest.mark.parametrize("asked", [1e-4, 1e-6, 3e-7])
 def test_what_is_asked_holds_at_any_instant_and_the_estimate_holds(followed, text, initial, asked):
@@ -176,6 +177,7 @@ def test_the_points_of_every_window_obey_the_equations(followed):
         assert np.abs(a - forces).max() < 1e-10 and np.abs(a - window.values).max() < 1e-10
 
 
+@pytest.mark.sweep
 def test_where_neighbours_part_a_stretch_is_found_up_to_where_it_can(followed):
     """A double pendulum that tumbles: its steps are known well to a few seconds ahead, not to the end of a stretch."""
     one = problem(DOUBLE)

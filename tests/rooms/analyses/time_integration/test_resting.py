@@ -104,6 +104,7 @@ def test_a_block_that_rests_beside_what_is_driven_does_not_hide_its_motion():
     assert max(found.lengths) < 1.0
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("until", [20.0, 60.0])
 def test_windows_resolve_what_is_driven_and_felt_by_nothing(until):
     found = known_motion(problem(CRANK).configuration, until)
@@ -122,6 +123,7 @@ def test_windows_end_where_what_is_felt_by_nothing_turns_at_another_speed(drive)
     assert found.end == 3.0 and found.balance.error < 1e-11
 
 
+@pytest.mark.sweep
 def test_what_rests_costs_no_step_and_is_told(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(simulating, "MOST_STEPS", 0)
     path = tmp_path / "rests.yaml"
@@ -136,6 +138,7 @@ def test_what_rests_costs_no_step_and_is_told(tmp_path, capsys, monkeypatch):
     assert "the scene is at rest: its motion has no period" in capsys.readouterr().err
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("off", [1e-15, 1e-13, 1e-12, 1e-9])
 @pytest.mark.parametrize(("mass", "k", "height"), [("1e3 kg", "500 N/m", "0.8 m"), ("1 kg", "50 N/m", "800 m"),
                                                    ("1e4 kg", "5e3 N/m", "800 m"), ("1e6 kg", "5e5 N/m", "0.8 m")])

@@ -37,6 +37,7 @@ def test_a_spring_that_is_a_root_swings_with_the_exact_period(law, p):
     assert found.balance.error < 1e-11
 
 
+@pytest.mark.sweep
 def test_a_ball_bounces_on_its_contact():
     """Hertz's law: against SciPy."""
     scene = problem("""
@@ -53,6 +54,7 @@ def test_a_ball_bounces_on_its_contact():
     assert [value(scene, "y(0.5)"), value(scene, "y'(0.5)")] == pytest.approx(states, rel=1e-6)
 
 
+@pytest.mark.sweep
 def test_a_damper_that_is_a_root_of_the_speed():
     scene = problem("""
         parameters: {m: 2, k: 100, c: 2}

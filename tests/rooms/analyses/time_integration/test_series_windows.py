@@ -83,6 +83,7 @@ def test_every_window_obeys_the_equations(followed, monkeypatch):
     assert np.abs(found.at(t + 1e-4)[0] - found.at(t - 1e-4)[0] - 2e-4 * v).max() < 1e-9
 
 
+@pytest.mark.sweep
 @NEEDED
 @pytest.mark.parametrize("text, start", [(DRIVEN, {"x": 0.5, "phi": 1.0}), (PENDULUM, {"phi": 3.0}),
                                          (RUBBING, {"x": 0.0515})], ids=["functions", "wide", "rubbing"])
@@ -109,6 +110,7 @@ def test_what_is_stiff_goes_on_by_collocation(followed):
     assert followed and max(window.length for window in found.windows) > 0.1
 
 
+@pytest.mark.sweep
 def test_it_is_chosen_by_how_much_there_is_to_do(monkeypatch):
     counts = []
 

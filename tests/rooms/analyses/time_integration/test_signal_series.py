@@ -42,6 +42,7 @@ def test_what_is_zero_throughout_passes_it_nowhere():
     assert [signal.time(place) / 2**BITS for place in signal.passages(0, 2 << BITS)] == [1.0, 1.5]
 
 
+@pytest.mark.sweep
 def test_rest_before_a_load_is_no_zero():
     """sin Ωt − (Ω/ω) sin ωt after 0.3 s; its roots by mpmath."""
     found = problem(LATER).with_digits(25)

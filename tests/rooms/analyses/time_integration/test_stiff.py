@@ -71,6 +71,7 @@ def test_radau_windows_never_let_an_oscillation_grow(points, radians):
     assert np.abs(np.linalg.eigvals(matrix)).max() <= 1 + 1e-9
 
 
+@pytest.mark.sweep
 def test_one_inverse_serves_all_steps_of_a_window(monkeypatch):
     """Newton's method takes another only where it hardly comes nearer."""
     linearised, counts = collocation_step._linearised, []

@@ -103,6 +103,7 @@ def test_a_driven_and_damped_oscillator_against_its_closed_form():
     assert found.balance.dissipated[-1] > 1 and found.balance.work[-1] > 1
 
 
+@pytest.mark.sweep
 def test_a_stiff_scene_takes_few_windows():
     scene = problem("parameters: {m: 1 kg, k: 1e9 N/m, c: 1e5 N*s/m, k0: 4 N/m}\n"
                     "bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}\n"
@@ -157,6 +158,7 @@ def test_a_short_pulse_late_in_time_is_not_stepped_over():
     assert found.balance.error < 1e-12
 
 
+@pytest.mark.sweep
 def test_the_instants_of_many_events_lose_no_digits_of_the_motion():
     scene = problem("parameters: {m: 1 kg, k: 98.5 N/m, c: 30 N/m}\n" + OSCILLATOR.split("springs")[0] +
                     'forces: {f: {at: b, force: "-k*max(x, 0 m) - c*min(x, 0 m)"}}\n')
@@ -344,6 +346,7 @@ def test_generated_source_holds_no_name_of_the_file(monkeypatch):
     assert sources and not any(name in source for source in sources for name in ("exec", "eval", "bob"))
 
 
+@pytest.mark.sweep
 def test_a_stiff_van_der_pol_oscillator():
     scene = problem("parameters: {M: 1 kg, k: 1 N/m, mu: 1000 N*s/m, x0: 1 m}\nbodies: {a: {mass: M, slide: x}}\n"
                     "springs: {s: {k: k, between: [ground, a]}}\n"
@@ -376,6 +379,7 @@ def test_a_motion_at_rest_under_a_force_that_begins_at_zero(force, windows):
     assert len(simulate(problem(text).configuration, 1.5).windows) <= windows
 
 
+@pytest.mark.sweep
 def test_a_window_that_was_too_long_is_the_guess_of_a_shorter_one(monkeypatch):
     """A hundred windows of forty points, each by some fifteen iterations; a quarter is first tried too long."""
     counts, accelerations = [0], NumericEquations.accelerations

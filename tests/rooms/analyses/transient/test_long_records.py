@@ -96,6 +96,7 @@ def times(values, rows):
     return [sum(map(mul, values, row)) >> BITS for row in rows]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("steps", ["even", "uneven"])
 @pytest.mark.parametrize("system", ALIKE)
 def test_states_are_those_of_the_exponential(system, steps):
@@ -159,6 +160,7 @@ def short(count=300, jump=True, seed=4):
     return Samples(np.cumsum(dice.uniform(0.004, 0.03, count)).tolist(), values.tolist())
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("system", ["light", "critical", "drift", "dragged"])
 @pytest.mark.parametrize("text", TEXTS)
 def test_long_records_move_as_short_ones(system, text, monkeypatch):
@@ -277,6 +279,7 @@ def test_breaks_that_forces_share_count_once(monkeypatch):
         forcing(record("even"), {0: 1.0, 1: -2.5})
 
 
+@pytest.mark.sweep
 def test_what_is_not_held_as_arrays_is_followed_as_before():
     given = forcing(record("even"), {0: 1.0}, lambda table, call: call * table.call("sin", table.time))
     assert not given.recorded and len(given.pieces) == COUNT

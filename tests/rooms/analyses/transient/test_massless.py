@@ -242,6 +242,7 @@ def test_stability_without_inertia(stiffness, words):
     assert WORDS[stability(scene.modal).kind] == words
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kinds", ["mz", "mzs", "zs"])
 def test_digits_without_inertia(kinds):
     """To 30 digits, and as the floats: values, rates and accelerations after a step, a wave and a blow."""
@@ -284,6 +285,7 @@ def test_digits_are_refused_where_dampers_hold_only_a_stretch():
     assert refusal.value.hint == "leave --digits out"
 
 
+@pytest.mark.sweep
 def test_the_start_that_is_told_is_where_what_follows_stands(tmp_path, capsys):
     """(k + k₁) u = k₁ x + F cos Wt at t = 0, which the report and --json say."""
     file = tmp_path / "scene.yaml"

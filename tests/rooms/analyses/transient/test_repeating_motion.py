@@ -52,6 +52,7 @@ def _series(dampers, springs, times):
     return [(Q * np.exp(4j * n[:, None] * t)).real.sum(0) for t in times], np.sqrt((abs(Q) ** 2 / 2).sum(0))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", SCENES)
 def test_one_motion_in_all_that_is_asked_of_it(name):
     more, dampers, springs = SCENES[name]

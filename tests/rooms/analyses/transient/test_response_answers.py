@@ -38,6 +38,7 @@ def test_extremes_of_a_free_vibration():
     assert close(t, math.pi / wd) and close(x, -math.exp(-0.05 * math.pi / wd))
 
 
+@pytest.mark.sweep
 def test_the_earliest_of_equal_peaks_and_none_missed_among_thousands():
     motion = one(1.0, 0.0, 9.0, FREE, 0.0, 3.0)
     assert close(motion.extreme(q(0), 0.0, 1e4)[0], math.pi / 6)
@@ -108,6 +109,7 @@ def test_zeros_where_jumps_pass_zero(pace):
     assert len(found) == len(changes) and np.abs(found - t[changes]).max() <= instants[-1] / 20000
 
 
+@pytest.mark.sweep
 def test_zeros_passed_touched_and_levels():
     zeros = one(1.0, 0.0, 9.0, FREE, 0.0, 3.0).zeros(q(0), 0.0, 100.0)
     assert len(zeros) == 96 and np.abs(zeros - np.arange(96) * math.pi / 3).max() < 1e-13

@@ -45,6 +45,7 @@ def test_a_problem_in_every_format(path, tmp_path):
                 assert_marked(read[one.item][key.letter], keys[one.item][key.letter], scale, name)
 
 
+@pytest.mark.sweep
 def test_expressions_that_variants_share_are_written_once(monkeypatch):
     _, handout = exported(next(path for path in WITH_VARIANTS if path.stem == "quarter_car_damped"))
     written, terms = [], Notation.terms

@@ -26,6 +26,7 @@ def ask(tmp_path, capsys):
     return ask
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("V, place", [("(x - 1)^4", 1.0), ("(x - 1)^6", 1.0), ("(x + 1/3)^4*(x - 3)^2", -1 / 3)])
 def test_a_multiple_zero_away_from_the_drawn_position(V, place, ask):
     """No digits are asked, so that none are refused; nor does the place show digits that are not known."""
@@ -59,6 +60,7 @@ def test_as_drawn_terms_beyond_the_linear_ones_decide(V, kind):
     assert stability(problem(SCENE.replace("POTENTIAL", V)).modal).kind == kind
 
 
+@pytest.mark.sweep
 def test_where_there_is_none(ask):
     """V′ = (x − 1)² + 10⁻¹⁶ comes near zero at x = 1 and stays above it."""
     text = ("parameters: {J: 1 kg*m^2, E: 1 J}\ncoordinates: [x, y]\nequilibrium: {x: 1.0001, y: 0}\nenergies:\n"

@@ -203,6 +203,7 @@ def test_indices_that_agree_are_no_proof(short):
     assert value(found, "equilibria") == len(found.equilibria.items) == 3
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("V", ["x^4 + y^2 + z^2 + w^2", "abs(x) + y^2 + z^2 + w^2", "(x^2 + y^2 - 1)^2 + z^2 + w^2"])
 def test_without_an_index_nothing_is_said(V, short):
     """Multiple zeros, kinks, circles."""

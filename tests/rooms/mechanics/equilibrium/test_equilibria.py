@@ -83,6 +83,7 @@ def test_a_post_beyond_buckling(kt):
     assert stability(scene.about_each[1].modal).growth_rate == pytest.approx(sqrt((9.81 - kt) / 0.5), rel=1e-6)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kt", [9.81, 9.82, 20])
 def test_a_post_below_buckling_has_one_position(kt):
     found_as(upright(kt), [({"f": 0.0}, HELD if kt == 9.81 else STABLE)], proved=kt != 9.81)
@@ -230,6 +231,7 @@ constraints: {pin: {join: [B, slider]}}
 """
 
 
+@pytest.mark.sweep
 def test_a_slider_crank_all_the_way_round():
     """A closed loop: V of the crank's turn alone, x = −r sin φ + √(l² − r² cos² φ) the place of the slider."""
     def slope(f):
@@ -370,6 +372,7 @@ def test_lines_and_circles_count_once(V, count, free):
         assert neutral[0][0] == pytest.approx(free)
 
 
+@pytest.mark.sweep
 def test_a_particle_tied_to_a_point_may_go_round_it():
     scene = problem("parameters: {m: 1 kg, k: 10 N/m, a: 1 m}\nbodies: {p: {mass: m, at: [1.3 m, 0.2 m], "
                     "move: [x, y, 0]}}\nsprings: {s: {k: k, between: [[0, 0], p], free_length: a}}\n")
@@ -453,6 +456,7 @@ def test_the_case_and_the_file_have_bounds_of_their_own():
     assert (value(scene, "equilibria"), value(scene.case("wide"), "equilibria")) == (2, 3)
 
 
+@pytest.mark.sweep
 def test_too_many_are_not_counted():
     scene = potential("cos(30*x) + cos(30*y)", "xy", 3)
     assert scene.equilibria.cut and not scene.equilibria.complete and len(scene.equilibria.items) == 200

@@ -86,6 +86,7 @@ def test_stable_or_not_and_what_is_free_stays(start, at, stable):
     assert value(found, "stable") is stable
 
 
+@pytest.mark.sweep
 def test_of_a_line_of_equilibria_the_nearest_place():
     """V = (x² + y² − 1)²: the circle, met along the radius of the start."""
     found = scene("(x^2 + y^2 - 1)^2", {"x": 0.9, "y": 1.2})
@@ -162,6 +163,7 @@ TIPPED = """
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "name", "at"), [(TURNED, "u", 0.5 * 400 * 0.3 / (80 - 0.5 * 400)),
                                                   (TIPPED, "x", 0.05)])
 def test_where_linear_forces_balance_they_may_lead_away(text, name, at):
@@ -176,6 +178,7 @@ def test_where_linear_forces_balance_they_may_lead_away(text, name, at):
     assert only.equilibrium.values == pytest.approx({name: at}, rel=1e-15)
 
 
+@pytest.mark.sweep
 def test_where_no_linear_forces_balance_nothing_is_listed():
     scene = problem("bodies: {block: {mass: 2 kg, slide: x}}\nenergies: {V: 3 N*x}\n")
     with pytest.raises(NoEquilibrium, match="nothing holds 'x'"):

@@ -7,6 +7,7 @@ import pytest
 from vibcli.cli.program import run
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("force", ["-1e20 N", "1e50 N", "1e-50 N"])
 @pytest.mark.parametrize("command", ["solve", "frequencies"])
 def test_no_warning_of_arithmetic_is_printed(force, command, tmp_path):

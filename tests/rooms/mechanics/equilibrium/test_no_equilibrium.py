@@ -34,6 +34,7 @@ def test_no_equilibrium_is_claimed(name, command, tmp_path, capsys):
     assert not [row for row in out.split("\n") if "Q_" in row and row.endswith("= 0")]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(60))
 def test_a_free_network_rests_only_where_its_loads_balance(seed):
     """However soft or stiff its springs are, one load carries it away, and two that are opposed do not."""

@@ -52,6 +52,7 @@ def test_intervals_of_points_are_narrow(name):
     assert np.all(found.high - found.low <= 1e-12 * (1 + np.array(size)) ** 2)
 
 
+@pytest.mark.sweep
 def test_intervals_hold_all_values():
     draw, compared = random.Random("intervals"), 0
     for _ in range(300):
@@ -101,6 +102,7 @@ def blind(monkeypatch):
     monkeypatch.setattr(all_equilibria, "_search", lambda forces, found, first: None)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(4))
 def test_what_a_search_misses_is_found_or_not_called_complete(seed, monkeypatch):
     """V = P(x) + Q(x + y): x is a root of P′ and x + y one of Q′."""

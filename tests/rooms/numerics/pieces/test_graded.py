@@ -144,6 +144,7 @@ def test_many_places_of_a_few_shapes_need_no_more_trees_than_one(piece, monkeypa
     assert fields(piece, kappa, ends, places) == pytest.approx(many[:-1], rel=1e-10, abs=1e-10 * abs(many).max())
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("piece", [Piece(1.0, 0.0, 500.0, 49.0, 5.0, 0.0, 0.0),
                                    Piece(1.0, 0.0, 549.0, -49.0, 5.0, 0.0, 0.0),
                                    Piece(1.0, 3.0, 10.0, 5.0, 5.0, 0.0, 0.0)], ids=["hung", "upside down", "beam"])

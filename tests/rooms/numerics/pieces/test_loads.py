@@ -49,6 +49,7 @@ def test_a_load_in_two_stretches_is_the_sum_of_both():
     assert end_loads(BEAM, 40.0, LoadForm(parts)) == pytest.approx(end_loads(BEAM, 40.0, whole), rel=1e-13)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(2))
 def test_particular_solutions_satisfy_ends_and_loads(seed):
     """u = Re e^{λx}: its ends, and the load that it needs, give back its own forces and fields."""
@@ -96,6 +97,7 @@ def test_by_the_ends_what_gauss_has():
             assert np.abs(end_loads(piece, kappa, load) - exact).max() <= 1e-12 * np.abs(exact).max()
 
 
+@pytest.mark.sweep
 def test_the_slope_is_that_of_a_difference():
     load = form((1.0, 1, 0.0), (2.0, 0, 3j))
     with mpmath.workdps(20):
@@ -105,6 +107,7 @@ def test_the_slope_is_that_of_a_difference():
     assert np.abs(end_loads_slope(BEAM, -300.0, load) - slope).max() <= 1e-9 * np.abs(slope).max()
 
 
+@pytest.mark.sweep
 def test_many_digits_of_loads():
     with mpmath.workdps(40):
         exact = Piece(*map(mpmath.mpf, BEAM))
@@ -117,6 +120,7 @@ def test_many_digits_of_loads():
         assert np.abs(found.astype(float) - end_loads(BEAM, -50.0, form((-1j, 0, 1j)))).max() < 1e-13
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("piece", [Piece(2.0, 3.0, 5.5, -4.0, 1.0, 0.0, 0.0), Piece(2.0, 0.0, 0.0, 3.0, 1.0, 0.0, 0.0),
                                    Piece(2.0, 0.0, 6.0, -2.5, 1.0, 0.0, 0.0)])
 def test_integrals_by_moments_are_those_of_the_fields(piece):

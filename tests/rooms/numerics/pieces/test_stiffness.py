@@ -40,6 +40,7 @@ def differences(piece, found, expected):
     return float(max(abs(value) for value in ((found - expected) / scale).flat) / most)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(3))
 @mpmath.workdps(60)
 def test_stiffness_to_the_last_digits(seed):
@@ -88,6 +89,7 @@ def test_held_count_of_clamped_beams_is_that_of_their_closed_form():
     assert held_count(beam, (roots * (1 + 1e-9)) ** 2).tolist() == list(range(1, len(roots) + 1))
 
 
+@pytest.mark.sweep
 def test_pressed_on_a_foundation_the_count_is_that_of_halves():
     rng = random.Random(2)
     for _ in range(200):
@@ -98,6 +100,7 @@ def test_pressed_on_a_foundation_the_count_is_that_of_halves():
         assert held_count(beam, omega) == 2 * held_count(half, omega) + (middle[0, 0] < 0) + (middle[1, 1] < 0)
 
 
+@pytest.mark.sweep
 def test_nothing_is_lost_from_tiny_to_huge_pieces():
     """Doubles beside sixty digits of the formulas, which the tests above hold to the exponential where it can go."""
     rng, n = np.random.default_rng(4), 40

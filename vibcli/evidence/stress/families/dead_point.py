@@ -1,9 +1,11 @@
 """Near a dead point the piston hardly moves with the crank: its spring almost ceases to hold."""
 
+from typing import Any
+
 from vibcli.evidence.stress.family import StressFamily, powers
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, Any]:
     """A crank, a rod without mass between it and a piston on a spring; phi is counted from the drawn position."""
     return {"parameters": {"J": "0.01 kg*m^2", "M": "1.5 kg", "r": "10 cm", "l": "26 cm", "k": "5 kN/m", "angle": value,
                            "px": "r*cos(angle)", "py": "r*sin(angle)", "b": "px + sqrt(l^2 - py^2)"},

@@ -8,7 +8,7 @@ import mpmath
 from vibcli.evidence.stress.family import StressFamily, chain, powers
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, Any]:
     """One mass on a spring under a load, from rest."""
     return {"parameters": {"m": "3 kg", "k": "70 N/m", "F": "5 N", "off": value, "Omega": "(1 - off)*sqrt(k/m)"},
             **chain(["m"], ["k"]), "forces": {"load": {"at": "m1", "force": "F*cos(Omega*t)"}},
@@ -24,7 +24,7 @@ def motion(off: Any, library: Any) -> Any:
     return 5 * (library.cos(Omega * 60) - library.cos(omega * 60)) / (3 * (omega**2 - Omega**2))
 
 
-def truth(value: str) -> tuple[list, Any]:
+def truth(value: str) -> tuple[list[Any], Any]:
     """Beside the motion at resonance, F t/(2mω)."""
     return [motion(mpmath.mpf(value), mpmath)], 50 / mpmath.sqrt(mpmath.mpf(70) / 3)
 

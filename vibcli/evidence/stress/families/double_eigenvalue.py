@@ -4,10 +4,12 @@ det(λ² + λ C + K) with C = diag(2d, 0), K = [κ₀ + d²/2, −κ; −κ, κ�
 (λ² + d λ + κ₀ − d²/2)². Here d = 2 1/s, κ₀ = 102 1/s², κ = 20 1/s².
 """
 
+from typing import Any
+
 from vibcli.evidence.stress.family import StressFamily, chain, powers
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, Any]:
     """Two masses on springs, joined by one, the first damped."""
     return {"parameters": {"off": value, "whole": "4 N*s/m", "c": "(1 + off)*whole"},
             **chain(["1 kg", "1 kg"], ["84 N/m", "20 N/m", "80 N/m"]),

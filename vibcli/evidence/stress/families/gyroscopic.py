@@ -1,9 +1,11 @@
 """A conservative gyroscopic system neither grows nor decays, however fast it turns."""
 
+from typing import Any
+
 from vibcli.evidence.stress.family import StressFamily, powers
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, Any]:
     """Two directions of a mass on a turning table, held by unlike springs; what the centrifugal force softens is left
     out, as by a rotor beside its discs."""
     return {"parameters": {"m": "2 kg", "k": "300 N/m", "turning": value, "h": "2*turning*sqrt(k*m)"},

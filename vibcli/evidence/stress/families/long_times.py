@@ -8,7 +8,7 @@ import mpmath
 from vibcli.evidence.stress.family import StressFamily, chain, powers
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, dict[str, dict[str, list[str] | str] | str]]:
     """Three masses between two walls; the first is drawn out and let go."""
     return {"parameters": {"m": "1 kg", "k": "100 N/m", "a": "1 cm", "turns": value, "end": "turns*sqrt(m/k)"},
             **chain(["m"] * 3, ["k"] * 4), "initial": {"x1": "a"}, "answers": {"x3(end)": "1 cm"}}
@@ -21,7 +21,7 @@ def motion(turns: Any, library: Any) -> Any:
                for i in (1, 2, 3)) / 200
 
 
-def truth(value: str) -> tuple[list, Any]:
+def truth(value: str) -> tuple[list[mpmath.mpf], mpmath.mpf]:
     """At any number of turns."""
     return [motion(mpmath.mpf(value), mpmath)], mpmath.mpf("0.01")
 

@@ -3,7 +3,7 @@
 from vibcli.evidence.stress.family import StressFamily, chain, powers
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, dict[str, dict[str, list[str] | str] | str]]:
     """Six masses that hang one on the other."""
     return {"parameters": {"m": "2 kg", "k": "300 N/m", "ratio": value},
             **chain(["m", "ratio*m"] * 3, ["k"] * 6), "answers": {"omega[1]": "1 rad/s"}}

@@ -1,9 +1,11 @@
 """A mode is hardly driven by a force near its node: two large terms cancel in its part of the motion."""
 
+from typing import Any
+
 from vibcli.evidence.stress.family import StressFamily, chain, powers
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, Any]:
     """Three masses between walls, the middle one driven at √(2k/m), where the second mode would have its resonance."""
     return {"parameters": {"m": "1 kg", "k": "100 N/m", "off": value, "c": "0.001*sqrt(k*m)", "F": "1 N",
                            "Omega": "sqrt(2*k/m)"},

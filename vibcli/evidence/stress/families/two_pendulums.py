@@ -1,9 +1,11 @@
 """A double pendulum let go at wide angles: its motion forgets where it began."""
 
+from typing import Any
+
 from vibcli.evidence.stress.family import StressFamily
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, Any]:
     """Two pendulums, the one at the other, followed for so long."""
     return {"parameters": {"m": "1 kg", "L": "1 m", "g": "9.81 m/s^2", "end": f"{value} s"},
             "gravity": "g", "motion": "full", "points": {"Q": {"body": "one", "at": ["0", "-L"]}},

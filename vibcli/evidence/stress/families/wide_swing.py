@@ -1,9 +1,11 @@
 """A pendulum that almost stands on its head swings ever more slowly, and errors grow while it lingers there."""
 
+from typing import Any
+
 from vibcli.evidence.stress.family import StressFamily, powers
 
 
-def scene(value: str) -> dict:
+def scene(value: str) -> dict[str, Any]:
     """A pendulum let go near its upper position of rest; phi is counted from the lower one."""
     return {"parameters": {"m": "1 kg", "L": "1 m", "g": "9.81 m/s^2", "off": value, "start": "pi - off*(1 rad)"},
             "gravity": "g", "motion": "full",
