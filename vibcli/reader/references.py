@@ -75,13 +75,13 @@ def _of_one_name(spec: "Spec", reader: "Reader", spaces: dict[str, dict[str, Non
     for name, record in (*(spec.get("points") or {}).items(), *(spec.get("member_points") or {}).items()):
         if name in spaces["bodies"]:
             reader.report(record.where, f"'{name}' is a point and a body", "rename one of them")
-    seen = dict.fromkeys(spaces["points"], "point") | dict.fromkeys(spaces["bodies"], "body")
+    seen = dict.fromkeys(spaces["points"], "a point") | dict.fromkeys(spaces["bodies"], "a body")
     for section in MEMBERS if reader.members else ():
         for name, record in (spec.get(section) or {}).items():
             if name in seen or name == "ground":
                 kind = seen.get(name, "the ground")
-                reader.report(record.where, f"'{name}' is a {kind} and a {section[:-1]}", "rename one of them")
-            seen[name] = section[:-1]
+                reader.report(record.where, f"'{name}' is {kind} and a {section[:-1]}", "rename one of them")
+            seen[name] = f"a {section[:-1]}"
 
 
 def _of_one_force(spec: "Spec", reader: "Reader") -> None:
