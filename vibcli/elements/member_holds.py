@@ -1,7 +1,7 @@
 """What holds the stations of members: {motion: what it is} of the motions u, slope and along that are not free."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from vibcli.elements.member_ends import CLAMPED, FREE, GUIDED, HOLDS, PINNED
 from vibcli.elements.member_fields import MemberKind
@@ -70,8 +70,7 @@ def beyond_reach(name: str, at: "tuple[Node, Node]", scene: "Builder | Scene") -
     record, (x, y) = scene.spec.get("bodies")[name], scene.bodies[name].centre
     if not POINT.issuperset(record):
         return 0.0
-    distance: float = scene.number((at[0] - x) ** 2 + (at[1] - y) ** 2) ** 0.5
-    return distance
+    return cast("float", scene.number((at[0] - x) ** 2 + (at[1] - y) ** 2) ** 0.5)
 
 
 def _moved(line: "DrawnLine", drawn: "tuple[Node, Node]", now: "tuple[Node, Node]", angle: "Node") -> "dict[str, Node]":

@@ -9,7 +9,7 @@ values by as much as these.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -164,8 +164,7 @@ def _half_a_unit(value: np.ndarray, figures: int) -> np.ndarray:
     size = np.abs(value)
     with np.errstate(all="ignore"):
         found = 0.5 * 10.0**(np.floor(np.log10(size)) - figures + 1) / size
-    known: np.ndarray = np.nan_to_num(found, nan=0.0, posinf=0.0)
-    return known
+    return cast("np.ndarray", np.nan_to_num(found, nan=0.0, posinf=0.0))
 
 
 def _of_few_values(value: np.ndarray, half: np.ndarray, off: np.ndarray) -> np.ndarray:

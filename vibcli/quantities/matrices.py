@@ -1,7 +1,7 @@
 """Entries of M, C, G and K."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
@@ -60,8 +60,7 @@ def _symbolic(problem: "Problem", tree: "QuantityRef") -> "Node":
     names, coordinates = [problem.spec.coordinate_name(index) for index in tree.indices], problem.scene.coordinates
     if not set(names) <= set(coordinates):
         raise NotInLetters(f"'{tree.text}' is found in numbers")
-    found: Node = matrix.get(tuple(map(coordinates.index, names)), problem.scene.table.zero)
-    return found
+    return cast("Node", matrix.get(tuple(map(coordinates.index, names)), problem.scene.table.zero))
 
 
 def entry_dimension(which: str, q: Any, r: Mapping[str, Any]) -> "dict[str, Fraction | int]":

@@ -1,7 +1,7 @@
 """H(iΩ) of scenes with members to any number of digits: D(s) X = load with the exact stiffness of every piece."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from mpmath import mp
 
@@ -129,5 +129,4 @@ def _stiffness(placed: "PlacedPiece", s: "mpmath.mpc") -> "np.ndarray":
     beta = placed.retardation
     if not beta:
         return dynamic_stiffness(placed.piece, s)
-    found: np.ndarray = (1 + beta * s) * stiffness(placed.piece, retarded_reaction(placed.piece, s, beta))
-    return found
+    return cast("np.ndarray", (1 + beta * s) * stiffness(placed.piece, retarded_reaction(placed.piece, s, beta)))

@@ -6,7 +6,7 @@ constant factors is exact at any time; products and powers are evaluated instant
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.analyses.excitation.linear_output import LinearOutput, combined
 from vibcli.language.signals import ENERGIES
@@ -70,8 +70,7 @@ class SmallResponse(Response):
 
         if mp.prec not in self.finer:
             self.finer[mp.prec] = self.finely(self.problem)
-        found: PreciseResponse = self.finer[mp.prec]
-        return found
+        return cast("PreciseResponse", self.finer[mp.prec])
 
     @property
     def known(self) -> float:
@@ -141,8 +140,7 @@ class SmallResponse(Response):
         elements = self.problem.configuration.linear_system
         if elements.G or elements.circulatory or elements.massless:
             return None
-        found: Modes | None = self.problem.modal.modes
-        return found
+        return cast("Modes | None", self.problem.modal.modes)
 
     @cached_property
     def rigid(self) -> "np.ndarray | None":
@@ -183,8 +181,7 @@ class SmallResponse(Response):
 
     def _of_node(self, node: "Node", parts: "Mapping[Node, PartOfSignal]", source: tuple[Any, ...]) -> "Signal":
         if node in parts:
-            found: Signal = self._one(parts[node], source)
-            return found
+            return cast("Signal", self._one(parts[node], source))
         slopes = gradient(node)
         outputs = {symbol: part for symbol, part in parts.items() if len(part) == 2}
         if any(slope.mask for slope in slopes.values()) or _jumps(node, parts) or len(outputs) < len(parts):

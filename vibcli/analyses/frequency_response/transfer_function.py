@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -54,8 +54,7 @@ class TransferFunction(FrequencyResponseFunction):
         if self._magnitudes is None:
             parts = [np.abs(matrix) for matrix in (self.K, self.C, self.M)]
             self._magnitudes = [np.diag(part) for part in parts], [part.max(axis=1) for part in parts]
-        found: tuple[list[np.ndarray], list[np.ndarray]] = self._magnitudes
-        return found
+        return cast("tuple[list[np.ndarray], list[np.ndarray]]", self._magnitudes)
 
     @property
     def undamped(self) -> bool:
@@ -125,8 +124,7 @@ class TransferFunction(FrequencyResponseFunction):
             still = np.zeros(self.n)
             linear = self._modal.configuration.linear_system
             self._data = of_elements(linear, (self.M, self.C, self.K), (still, still), still)
-        found: DataErrors = self._data
-        return found
+        return cast("DataErrors", self._data)
 
     def error(self, Omega: float) -> float:
         return float(self.errors(np.array([Omega]))[0])
@@ -150,8 +148,7 @@ class TransferFunction(FrequencyResponseFunction):
     def with_damper(self, other: Any, c: float) -> "TransferFunction":
         def part(name: str) -> np.ndarray:
             zero = getattr(self, name)
-            found: np.ndarray = zero + c * (getattr(other, name) - zero)
-            return found
+            return cast("np.ndarray", zero + c * (getattr(other, name) - zero))
 
         M, C, K, b, seen, d = map(part, ("M", "C", "K", "b", "c", "d"))
         return TransferFunction(M, C, K, b, seen, d, self.order)

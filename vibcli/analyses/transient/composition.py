@@ -5,7 +5,7 @@ bound of its second derivative; what is composed of such sums follows by interva
 """
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -37,8 +37,7 @@ class Leaf:
         self.nodes = [nodes for terms in (self.y, self.slope, self.curvature) for nodes in terms.nodes()]
 
     def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
-        found: np.ndarray = self.y.at(segment, tau)
-        return found
+        return cast("np.ndarray", self.y.at(segment, tau))
 
     def size(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         """The value as any number up to its bound."""
@@ -156,8 +155,7 @@ class Composition:
         last = self._last.get(which)
         if last is None or not all(map(np.array_equal, last[0], where)):
             last = self._last[which] = tuple(part.copy() for part in where), self._found(which, *where)
-        found: Jet = last[1]
-        return found
+        return cast("Jet", last[1])
 
     def _found(self, which: str, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> Jet:
         values = {name: getattr(leaf, which)(self.segments[name][segment], *(

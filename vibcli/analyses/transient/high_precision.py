@@ -8,7 +8,7 @@ until two results agree.
 import math
 from collections.abc import Sequence
 from itertools import count
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 from mpmath import mp
@@ -101,8 +101,7 @@ class PreciseMotion:
         time = real(time)
         if (time, before) not in self.found:
             self.found = {(time, before): self._at(time, bits, before)}
-        found: PreciseState = self.found[time, before]
-        return found
+        return cast("PreciseState", self.found[time, before])
 
     def _at(self, time: "mpmath.mpf", bits: int, before: bool) -> "PreciseState":
         pieces = self.forcing.segments(math.nextafter(float(time), math.inf))
@@ -128,8 +127,7 @@ class PreciseMotion:
         """e^{Gτ} as of _exponential, known already where an equal stretch has been passed."""
         for known, tau, found in self.exponentials:
             if known is waves and abs(length - tau) <= tau * mp.eps * ALIKE:
-                result: tuple[np.ndarray, int] = found
-                return result
+                return cast("tuple[np.ndarray, int]", found)
         found = _exponential(G, first, length, bits)
         self.exponentials = [*self.exponentials[-KEPT:], (waves, length, found)]
         return found

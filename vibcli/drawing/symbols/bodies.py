@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.drawing.canvas.primitives import BEHIND, BODY, Circle, Hatch, Polyline, Primitive
 from vibcli.drawing.layout import plane
@@ -51,8 +51,7 @@ def rail_of(name: str, sketch: "Sketch") -> str | None:
     slide = sketch.scene.bodies[name].record.get("slide", {})
     carrier = slide["carrier"].text if "carrier" in slide and "surface" not in slide else None
     record = sketch.scene.bodies[carrier].record if carrier in sketch.scene.bodies else {}
-    found: str | None = carrier if "pin" in record and not {"shape", "parts"} & set(record) else None
-    return found
+    return cast("str | None", carrier if "pin" in record and not {"shape", "parts"} & set(record) else None)
 
 
 def along(name: str, sketch: "Sketch") -> tuple[float, float]:

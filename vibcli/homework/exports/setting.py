@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from html import escape
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from vibcli.notation.mathml import mathml, row
 from vibcli.notation.plain import plain
@@ -48,16 +48,14 @@ class Remembering(Protected):
         kept, key = self._kept(node), (Remembering.write, node, tightness)
         if key not in kept:
             kept[key] = super().write(node, tightness)
-        found: str = kept[key]
-        return found
+        return cast("str", kept[key])
 
     def terms(self, node: "Node") -> list[tuple[bool, str]]:
         """Its terms, once."""
         kept, key = self._kept(node), (Remembering.terms, node)
         if key not in kept:
             kept[key] = super().terms(node)
-        found: list[tuple[bool, str]] = kept[key]
-        return found
+        return cast("list[tuple[bool, str]]", kept[key])
 
     def _kept(self, node: "Node") -> dict[Any, Any]:
         return self._own if self.values else node.table.kept
