@@ -10,11 +10,28 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from vibcli.analyses.modal.certified_eigenvalues import FAINT, CertifiedEigenvalues
+import numpy as np
+
+from vibcli.analyses.modal.damped_in_modal_coordinates import ModalDamping
 from vibcli.analyses.modal.damped_modes import DampedMode, collected
-from vibcli.analyses.modal.method import ENCLOSED, IN_DIGITS, IN_FLOATS, SQUARES, choose, form_of
-from vibcli.analyses.modal.mode_numbers import Digits, NearestFloats
-from vibcli.analyses.modal.undamped import DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, within_floats
+from vibcli.analyses.modal.method import (
+    ENCLOSED,
+    FIRST_ORDER,
+    FOLLOWER,
+    IN_DIGITS,
+    IN_FLOATS,
+    SQUARES,
+    choose,
+    damped_at_all,
+    dragged,
+    form_of,
+)
+from vibcli.analyses.modal.mode_numbers import Digits, NearestFloats, in_units
+from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
+from vibcli.analyses.modal.scaling import Scaling, exponent
+from vibcli.analyses.modal.undamped import DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared, within_floats
+from vibcli.analyses.modal.undamped_certified import enclosed, spread
+from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.precision import working_bits
 
 if TYPE_CHECKING:
@@ -22,6 +39,9 @@ if TYPE_CHECKING:
 
 GOAL = 160
 WANTED = 60
+FAINT = 1e-9        # relative bound of Re λ and Im λ, above which weak damping is found in more digits
+TRIES = 4
+FARTHEST = 2000
 
 
 def damped(elements: Any, precise: "Callable[..., FactoredSystem] | None" = None,
@@ -85,3 +105,101 @@ def _exactly(exact: Callable[..., Any] | None, elements: "FactoredSystem") -> "F
     data = exact() if exact is not None else None
     found: FactoredSystem | None = data.with_parts(K_size=None) if data is not None and elements.circulatory else data
     return found
+
+
+def depth(elements: Any, scale: Scaling) -> tuple[int, int]:
+    """Bits that soft springs and strong damping, and that very weak damping need besides."""
+    p, sizes = scale.coordinates, [0]
+    for weight, row in elements.dampers:
+        felt = [exponent(x) + p[i] for i, x in row.items() if x]
+        if weight and felt:
+            sizes.append(exponent(weight) - scale.damping + 2 * max(felt))
+    for (i, j), x in (*elements.C.items(), *elements.G.items()):
+        if x:
+            sizes.append(exponent(x) - scale.damping + p[i] + p[j])
+    return spread(elements, scale) + max(0, 3 * max(sizes)), max(0, -min(sizes) - 40)
+
+
+class CertifiedEigenvalues:
+    """The eigenvalues of `data`, which is `elements` in any arithmetic, with their bounds.
+
+    system: ModalDamping, MassiveSystem or Follower, which hold the basis of the vectors; unit: log2 of
+    the relative rounding of the data; undamped: nothing depends on velocities but G; conservative: and K is symmetric;
+    follower: nothing depends on velocities, and K is not symmetric.
+    """
+
+    system: Any
+
+    __slots__ = ("conservative", "decided", "follower", "found", "scale", "system", "undamped")
+
+    def __init__(self, elements: Any, data: Any, goal: Any, wanted: int, unit: float) -> None:
+        form, follows, held = form_of(elements), elements.circulatory, bool(dragged(elements))
+        self.undamped = not damped_at_all(elements)
+        self.conservative, self.follower = self.undamped and not follows, form == FOLLOWER
+        self.scale, zeros = prepared(elements, held)
+        self.decided = zeros is not None
+        if held:
+            double = undamped_rigid(elements, zeros, data)
+            zeros = None if double is None else zeros + double
+        strong, weak = depth(elements, self.scale)
+        goal, deep = goal + strong + weak, goal - 50 + weak
+        for _ in range(TRIES):
+            if form == FOLLOWER:
+                from vibcli.analyses.modal.nonsymmetric import Follower
+
+                self.system = Follower(data, self.scale, None, goal, deep)
+            elif form == FIRST_ORDER:
+                from vibcli.analyses.modal.massless_coordinates import MassiveSystem
+
+                self.system = MassiveSystem(data, self.scale, zeros, goal, deep)
+            else:
+                self.system = self._modal(elements, data, goal, deep, zeros, unit)
+            self.found = self.system.eigenvalues(wanted)
+            missing = self.worst() + wanted
+            if missing <= 0:
+                break
+            goal += 2 * math.ceil(min(missing, FARTHEST)) + 20
+        if self.follower and (unit > EXACT or data.K_size):
+            self.found = self.system.rounded(data, self.scale, unit)
+        elif unit > EXACT or data.K_size:
+            from vibcli.analyses.modal.rounding import with_data_error
+
+            self.found = with_data_error(self.found, self.system, data, self.scale, unit)
+        if follows:
+            from vibcli.analyses.modal.nonsymmetric import rested
+
+            self.found = rested(self.found, self.system.bits)
+            self.decided = all(d.re or d.im for d in self.found)
+
+    def _modal(self, elements: "FactoredSystem", data: "FactoredSystem", goal: int, deep: int, zeros: int | None,
+               unit: float) -> ModalDamping:
+        answer = enclosed(data, self.scale, zeros, goal=goal)
+        if unit > EXACT or data.K_size:
+            answer.add_data_error(data, self.scale, unit)
+        self.decided = zeros is not None or not answer.zero.any()
+        still = undamped_rigid(elements, zeros, data)
+        return ModalDamping(answer, data, self.scale, still, goal, deep)
+
+    def worst(self) -> float:
+        """log2 of the largest relative bound of an eigenvalue; under follower forces of each of its parts."""
+        bits, moving = self.system.bits, [d for d in self.found if d.re or d.im]
+        sizes = [fx.log2(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in moving]
+        if self.follower:
+            sizes = [fx.log2(min(part for part in (d.re, d.im) if part), bits) for d in moving]
+        return max((d.radius - size for d, size in zip(moving, sizes, strict=True)), default=-math.inf)
+
+    def settled(self, goal: float) -> bool:
+        """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""
+        return self.decided and self.worst() <= goal
+
+    def tells_parts(self) -> bool:
+        """Are both parts of every eigenvalue known to FAINT, where something damps?"""
+        return self.undamped or all(d.radius <= fx.magnitude(abs(part), self.system.bits) + math.log2(FAINT)
+                                    for d in self.found if d.im for part in (d.re, d.im) if part)
+
+    def shapes(self) -> np.ndarray:
+        """The vectors in all coordinates, a column for each eigenvalue, their largest component real."""
+        basis = in_units(fx.floats(self.system.basis, self.system.bits), self.scale)[1]
+        out = basis @ np.array([d.x for d in self.found]).T
+        lead = out[np.argmax(np.abs(out), axis=0), range(out.shape[1])]
+        return np.asarray(out * np.where(lead == 0, 1.0, np.abs(lead) / np.where(lead == 0, 1.0, lead)))

@@ -13,7 +13,7 @@ from vibcli.numerics import fixed_point as fx
 if TYPE_CHECKING:
     import mpmath
 
-    from vibcli.analyses.modal.certified_eigenvalues import CertifiedEigenvalues
+    from vibcli.analyses.modal.damped import CertifiedEigenvalues
     from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue, ModalDamping
 
 ULP = 2.0 ** -52

@@ -4,8 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from vibcli.analyses.modal.certified_eigenvalues import CertifiedEigenvalues
-from vibcli.analyses.modal.damped import EXACT, GOAL, WANTED, damped
+from vibcli.analyses.modal.damped import EXACT, GOAL, WANTED, CertifiedEigenvalues, damped
 from vibcli.analyses.modal.damped_large import damped_floats
 from vibcli.analyses.modal.damped_modes import collected
 from vibcli.analyses.modal.mode_numbers import NearestFloats
