@@ -1,25 +1,62 @@
 """Exact sums of functions of time as the segments of a Forcing, every coefficient rounded once."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
-from vibcli.analyses.excitation.exponential_polynomials import convolved, shifted
+from vibcli.analyses.excitation.exponential_polynomials import added, convolved, shifted
 from vibcli.analyses.excitation.forcing import Forcing, Irregular, Segment, Wave, task_of
 from vibcli.analyses.excitation.impulses import blows_of, nearest
 from vibcli.analyses.excitation.piecewise_linear import Instant
 from vibcli.analyses.excitation.rounding import Floating
-from vibcli.analyses.excitation.wave_groups import WaveGroup
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
-    from vibcli.analyses.excitation.exponential_polynomials import Sum
+    from vibcli.analyses.excitation.exponential_polynomials import Exact, ExactWave, Sum
+    from vibcli.analyses.excitation.piecewise_linear import Blow, Periodic
+    from vibcli.analyses.excitation.tabulated import TabulatedFunction
     from vibcli.base.work import Task, Work
+
+    Gate = Periodic | Blow | TabulatedFunction
 
 NEAR = 1e-6
 LENGTHY, MOST_SAMPLES = 5000, 4_000_000      # samples that are held as arrays
 SHORTER = "let it change less often, or for a shorter time"
+BEFORE = Fraction(-1)       # the instant from which a term counts that always does
+
+
+class WaveGroup:
+    """The terms of one channel with the same wave and gates: `ps[i]`, the polynomial from `instants[i]` on."""
+
+    __slots__ = ("channel", "end", "exponent", "gates", "instants", "places", "ps", "wave")
+
+    def __init__(self, channel: int, gates: "Sequence[Gate]", wave: "ExactWave",
+                 terms: "Sequence[tuple[Fraction | None, tuple[Exact, ...]]]", numbers: type[Any]) -> None:
+        self.channel, self.gates, self.wave = channel, gates, wave
+        self.exponent = numbers.complex(numbers.number(wave[0]), numbers.number(wave[1]))
+        self.end = min((gate.end for gate in gates if gate.end is not None), default=None)
+        self.instants, self.ps, total = [], [], {}
+        for T, p in sorted((BEFORE if T is None else T, p) for T, p in terms):
+            total = added((total, 1), ({None: p}, 1))
+            self.instants.append(T)
+            self.ps.append(total.get(None, ()))
+        self.places = [numbers.number(instant) for instant in self.instants]
+
+    def at(self, middle: float) -> "tuple[Exact, ...]":
+        """The polynomial at an instant, a number."""
+        i = bisect_right(self.places, middle) - 1
+        return self.ps[i] if i >= 0 else ()
+
+    def spans(self) -> Iterator[tuple[Fraction, Fraction | None]]:
+        """(low, high) of each span in which it acts, high None where it does not end."""
+        for T, p, following in zip(self.instants, self.ps, [*self.instants[1:], None], strict=True):
+            low = max(T, Fraction(0))
+            ends = [x for x in (following, self.end) if x is not None]
+            high = min(ends, default=None)
+            if p and (high is None or high >= low):
+                yield low, high
 
 
 def assembled(sums: "Mapping[int, Sum]", channels: int, numbers: type[Any], work: "Work | None" = None) -> Forcing:

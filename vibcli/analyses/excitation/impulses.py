@@ -9,8 +9,8 @@ from vibcli.analyses.excitation.piecewise_linear import Instant
 from vibcli.base.errors import PhysicsError
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.assembly import WaveGroup
     from vibcli.analyses.excitation.exponential_polynomials import ExactWave
-    from vibcli.analyses.excitation.wave_groups import WaveGroup
 
 ALIKE = Fraction(1, 10**9)
 

@@ -10,8 +10,8 @@ from vibcli.base.errors import PhysicsError
 if TYPE_CHECKING:
     import mpmath
 
+    from vibcli.analyses.excitation.assembly import WaveGroup
     from vibcli.analyses.excitation.forcing import Segment
-    from vibcli.analyses.excitation.wave_groups import WaveGroup
 
 TURNS, ALIKE = 1000, Fraction(1, 10**9)
 PARTS = (2, 3, 5, 7)

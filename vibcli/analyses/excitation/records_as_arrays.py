@@ -17,8 +17,8 @@ from vibcli.base.named_tuple import NamedTuple
 from vibcli.numerics.error_free import whole_product, whole_sum
 
 if TYPE_CHECKING:
+    from vibcli.analyses.excitation.assembly import Gate, WaveGroup
     from vibcli.analyses.excitation.exponential_polynomials import Exact, ExactWave
-    from vibcli.analyses.excitation.wave_groups import Gate, WaveGroup
 
 SAME = float(Floating.same)
 
