@@ -2,6 +2,10 @@
 
 import re
 from functools import lru_cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
 
 GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
           "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ",
@@ -11,6 +15,7 @@ GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "
 COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}      # of LaTeX, where they differ from the names
 NAMES = {letter: name for name, letter in GREEK.items()}
 SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+NAMED = re.compile(r"(?<![\w.\[])((?<!')[^\W\d]\w*'*|(?<=')[^\W\d]\w*)(?![\w\[(]|\.\w)")  # in quotes it has no primes
 PRODUCTS = r"([EG])([AIJ](?:[op]|\d*))"       # names read as products: EI, GIo of members
 PLACES = "xξsχ"         # letters of a place along members
 BESSEL = "J0", "J1", "Y0", "Y1"         # functions that are written with an index
@@ -49,3 +54,10 @@ def split_marks(name: str) -> tuple[str, int]:
     bare = name.rstrip("'")
     own = bare.rstrip("′")
     return own + name[len(bare):], len(bare) - len(own)
+
+
+def with_symbols(words: str, names: "Collection[str]") -> str:
+    """Words with φ₁ for phi1 where that is one of the names."""
+    from vibcli.notation.plain import plain
+
+    return NAMED.sub(lambda found: plain.symbol(found[1]) if found[1].rstrip("'") in names else found[1], words)

@@ -10,7 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
-from vibcli.notation.names_in_words import NAMED
+from vibcli.notation.names import NAMED
 from vibcli.reader.read import QUOTE
 from vibcli.report.blocks import Document, Name, Section, explained, maths
 from vibcli.report.sections import SECTIONS

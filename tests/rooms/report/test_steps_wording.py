@@ -70,7 +70,7 @@ def of(name, case=None):
                                   "(−5.33333 rad/m)·2·m₂·L + (−5.33333 rad/m)²·m₂·L² = 24 kg"]),
     ("pointer_lags_behind_a_ramp", None, ["final(shaft.angle − φ): c·w/k", "final(hair.force): −c·w"]),
     ("half_power_of_a_braked_lever", None, ["tan θ = Ω·√(m·k)/(4·(k − m·Ω²))",
-                                            "amplitude(low.x): 16·F₀/√(16·k² − m·Ω²·(31·k − 16·m·Ω²))"]),
+                                            "amplitude(low.x): 2·a·X"]),
     ("two_inclined_springs_as_a_pair", None, [
         "ω₁ = √((k₁ + k₂ − √(k₁² + 2·k₁·k₂ − 4·k₁·k₂·sin²(a − b) + k₂²))/(2·m))",
         "stiffness[bead].max: (k₁ + k₂ + √(k₁² + 2·k₁·k₂·cos(2·a − 2·b) + k₂²))/2"]),

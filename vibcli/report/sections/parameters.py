@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
-from vibcli.notation.names_in_words import with_symbols
+from vibcli.notation.names import with_symbols
 from vibcli.notation.numbers import figure, with_unit
 from vibcli.report.blocks import (
     Definition,

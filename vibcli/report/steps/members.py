@@ -24,6 +24,7 @@ from vibcli.report.steps.held import HINT
 from vibcli.report.steps.member_conditions import MemberConditions
 from vibcli.report.steps.member_motion import tell_motion_of_members
 from vibcli.report.steps.step import WorkedSolution, number, of_time, told
+from vibcli.report.steps.told_modes import FIRST, asked_modes, moving_alike, told_modes
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -37,7 +38,6 @@ if TYPE_CHECKING:
     from vibcli.symbolic.node import Node
 
 EXACT = 1e-9            # relative: of a root that a formula gives
-FIRST = 3               # roots that are told
 HALVINGS = 60           # of the interval that holds one
 NEAR, FAR = 1e-2, 1e4   # βL between which they are looked for
 CLOSE, BESIDE = 1e-6, 1.05      # relative: of a frequency equation at its roots, and beside them
@@ -106,7 +106,7 @@ class MemberSteps:
 
     def _searched(self, line: int) -> None:
         """The first frequencies."""
-        for mode in self.problem.modal.modes.first(FIRST):
+        for mode in told_modes(self.problem):
             if mode.omega:
                 omega = float(mode.omega)
                 self.sheet.write(f"ω{lowered(mode.index)}", *number(omega, "rad/s"), *of_time(self.sheet, omega),
@@ -241,12 +241,18 @@ class MemberSteps:
         if self.problem.numeric.has_free_symbols:
             return
         floats = self.problem.numeric.floats
-        known = [(mode, self._root_of(found, mode, floats)) for mode in self.problem.modal.modes.first(2 * FIRST)]
+        known = [(mode, self._root_of(found, mode, floats)) for mode in told_modes(self.problem, 2 * FIRST)]
         free = [f"ω{lowered(mode.index)} = " for mode, _ in known if mode.omega == 0]
         if free:
             self.sheet.write("".join(free) + "0", Words(" rad/s:  it moves freely"), settles="what moves freely",
                              uses=[frequency])
-        for mode, root in [(mode, root) for mode, root in known if root is not None][:FIRST]:
+        for mode, node in ((mode, moving_alike(found, mode, floats)) for mode, root in known if root is None):
+            if node is not None:
+                self.sheet.write(f"ω{lowered(mode.index)} = ", node, *number(float(mode.omega), "rad/s"), Words(
+                    ":  all of it moves alike"), settles=f"omega[{mode.index}]", node=node, value=float(mode.omega),
+                    unit="rad/s", uses=[frequency])
+        asked, roots = asked_modes(self.problem), [(mode, root) for mode, root in known if root is not None]
+        for mode, root in [*roots[:FIRST], *(one for one in roots[FIRST:] if one[0].index in asked)]:
             ends.hold(root, floats)
             self._of_mode(found, mode, root, equation, frequency, self._multiple(root) if simple else None)
 
