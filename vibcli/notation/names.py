@@ -2,10 +2,6 @@
 
 import re
 from functools import lru_cache
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from collections.abc import Collection
 
 GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
           "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ",
@@ -54,10 +50,3 @@ def split_marks(name: str) -> tuple[str, int]:
     bare = name.rstrip("'")
     own = bare.rstrip("′")
     return own + name[len(bare):], len(bare) - len(own)
-
-
-def with_symbols(words: str, names: "Collection[str]") -> str:
-    """Words with φ₁ for phi1 where that is one of the names."""
-    from vibcli.notation.plain import plain
-
-    return NAMED.sub(lambda found: plain.symbol(found[1]) if found[1].rstrip("'") in names else found[1], words)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.language.record_calls import own
-from vibcli.notation.names import with_symbols
+from vibcli.notation.names import NAMED
 from vibcli.notation.numbers import figure, with_unit
 from vibcli.report.blocks import (
     Definition,
@@ -116,8 +116,12 @@ def words_of(problem: "Problem", name: str) -> str:
 
 
 def _about(problem: "Problem", record: Any) -> str:
-    """What the file says about a parameter or coordinate, the names in it by their symbols."""
-    return with_symbols(record.get("about", ""), {*problem.spec.parameters, *problem.spec.coordinates})
+    """What the file says about a parameter or coordinate, with φ₁ for phi1 where that is the name of one."""
+    from vibcli.notation.plain import plain
+
+    names = {*problem.spec.parameters, *problem.spec.coordinates}
+    return NAMED.sub(lambda found: plain.symbol(found[1]) if found[1].rstrip("'") in names else found[1],
+                     record.get("about", ""))
 
 
 def _on_member(name: str) -> str:
